@@ -1,0 +1,80 @@
+#include "analysis/contact_network.hpp"
+
+#include <unordered_map>
+
+#include "core/error.hpp"
+
+namespace packstone::analysis {
+
+namespace {
+
+ContactNetwork stored(const Snapshot& snapshot, const Contacts& contacts) {
+  std::unordered_map<std::int64_t, std::uint32_t> row_of;
+  row_of.reserve(snapshot.size());
+  for (std::size_t i = 0; i < snapshot.size(); ++i) row_of.emplace(snapshot.id[i], static_cast<std::uint32_t>(i));
+  const auto row = [&](std::int64_t id) {
+    const auto found = row_of.find(id);
+    if (found == row_of.end()) {
+      throw InputError("a contact names particle " + std::to_string(id) +
+                       ", which the snapshot does not hold; read the snapshot whole");
+    }
+    return found->second;
+  };
+
+  ContactNetwork network;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    if (!(contacts.overlap[k] > 0)) continue;
+    const std::uint32_t first = row(contacts.first[k]);
+    if (contacts.second[k] >= 0) {
+      network.pairs.push_back({first, row(contacts.second[k]), contacts.overlap[k]});
+      continue;
+    }
+    const auto boundary = static_cast<std::size_t>(-1 - contacts.second[k]);
+    if (boundary >= snapshot.boundaries.size()) {
+      throw InputError("a contact names boundary " + std::to_string(boundary) + ", but the snapshot holds " +
+                       std::to_string(snapshot.boundaries.size()));
+    }
+    network.walls.push_back({first, static_cast<std::uint32_t>(boundary), contacts.overlap[k]});
+  }
+  return network;
+}
+
+ContactNetwork rebuilt(const Snapshot& snapshot) {
+  ContactNetwork network;
+  network.rebuilt = true;
+  network.pairs = near_pairs(snapshot.position, snapshot.radius, snapshot.domain);
+  for (std::size_t k = 0; k < snapshot.boundaries.size(); ++k) {
+    const BoundaryRecord& plane = snapshot.boundaries[k];
+    if (plane.kind != "plane") continue;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+      const double overlap = snapshot.radius[i] - plane.normal.dot(snapshot.position[i] - plane.point);
+      if (overlap > 0) network.walls.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), overlap});
+    }
+  }
+  return network;
+}
+
+}  // namespace
+
+std::string ContactNetwork::source() const { return rebuilt ? "contacts rebuilt from geometry" : ""; }
+
+ContactNetwork contact_network(const Snapshot& snapshot) {
+  return snapshot.contacts ? stored(snapshot, *snapshot.contacts) : rebuilt(snapshot);
+}
+
+std::vector<int> particle_contacts(const ContactNetwork& network, std::size_t particles) {
+  std::vector<int> count(particles, 0);
+  for (const auto& pair : network.pairs) {
+    ++count[pair.first];
+    ++count[pair.second];
+  }
+  return count;
+}
+
+std::vector<int> wall_contacts(const ContactNetwork& network, std::size_t particles) {
+  std::vector<int> count(particles, 0);
+  for (const auto& wall : network.walls) ++count[wall.row];
+  return count;
+}
+
+}  // namespace packstone::analysis

@@ -1,0 +1,35 @@
+// All measures, in one list, and how to run them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/context.hpp"
+#include "analysis/result.hpp"
+#include "core/snapshot.hpp"
+
+namespace packstone::analysis {
+
+MeasureResult measure_packing(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_structure(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_segregation(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_clusters(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_forces(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_time(const Snapshot& snapshot, const Context& context);
+
+struct Measure {
+  std::string name;
+  std::string description;  ///< one line
+  MeasureResult (*function)(const Snapshot&, const Context&);
+};
+
+/// In the order of the output.
+const std::vector<Measure>& all_measures();
+
+/// The selected measures of one snapshot, in the order of all_measures(); all of them when the selection is empty.
+/// Throws InputError for an unknown name, naming the nearest and all there are, and for a snapshot that cannot be
+/// measured (make_context).
+std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<std::string>& selection = {},
+                                   const Options& options = {});
+
+}  // namespace packstone::analysis

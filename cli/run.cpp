@@ -1,0 +1,72 @@
+// packstone run: a scene into a run folder.
+
+#include "engine/run.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/verbs.hpp"
+#include "core/scene.hpp"
+
+namespace packstone::cli {
+
+namespace {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path folder;
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+void run(const RunOptions& options) {
+  const Scene scene = read_scene(options.scene, options.overrides);
+  std::filesystem::path folder = options.folder;
+  if (folder.empty())
+    folder = std::filesystem::path("runs") / std::filesystem::absolute(options.scene).parent_path().filename();
+
+  catch_interrupts();
+  engine::RunControl control;
+  control.threads = options.threads;
+  control.overwrite = options.overwrite;
+  control.should_stop = interrupted;
+  control.warn = [](const std::string& text) { fmt::print(stderr, "packstone: warning: {}\n", text); };
+  RunRecord record;
+  {
+    Progress progress("steps", options.quiet);
+    control.progress = [&](std::int64_t step, std::int64_t steps, double time) {
+      progress.update(step, steps, fmt::format("t = {:.3f} s", time));
+    };
+    record = engine::run_scene(scene, folder, control);
+  }
+  if (options.quiet) return;
+  fmt::print("{} particles, {} steps in {:.1f} s ({:.1f} million particle-steps a second)\n{}\n", record.particles,
+             record.steps, record.wall_seconds,
+             1e-6 * static_cast<double>(record.particles * record.steps) / record.wall_seconds, folder.string());
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = app.add_subcommand("run", "Simulate a scene into a run folder");
+  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
+  verb->add_option("-o,--output", options->folder, "Run folder [runs/NAME of the scene's folder]");
+  verb->add_option("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_option("--threads", options->threads, "Threads [all cores]; the result does not depend on it")
+      ->check(CLI::Range(1, 1024));
+  verb->add_flag("--overwrite", options->overwrite, "Replace an earlier run in the folder");
+  verb->add_flag("--quiet", options->quiet, "No progress");
+  verb->footer("Keys of the scene, to be set in the file or by --set:\n\n" + scene_reference_text());
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,27 @@
+# packstone_library(NAME SOURCES... ) makes the target packstone_NAME with the alias packstone::NAME and the settings
+# that all parts share. Headers are included as "NAME/header.hpp", from the source tree and from an installation alike.
+function(packstone_compile_settings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  # GCC 12 reports -Wrestrict on correct std::string code (GCC bug 105651).
+  target_compile_options(${target} PRIVATE -Wno-restrict)
+  if(PACKSTONE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(PACKSTONE_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+  # Same bits from every inlined copy of a formula: a multiply and an add are fused nowhere.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+function(packstone_library name)
+  add_library(packstone_${name} STATIC ${ARGN})
+  add_library(packstone::${name} ALIAS packstone_${name})
+  set_target_properties(packstone_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(packstone_${name} PUBLIC cxx_std_20)
+  target_include_directories(packstone_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/packstone>)
+  packstone_compile_settings(packstone_${name})
+  set_property(GLOBAL APPEND PROPERTY PACKSTONE_LIBRARIES packstone_${name})
+endfunction()

@@ -1,0 +1,87 @@
+#include "core/options_writer.hpp"
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace packstone {
+
+namespace {
+
+/// A TOML basic string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += {'\\', c};
+    } else if (code < 0x20 || code == 0x7f) {
+      result += fmt::format("\\u{:04x}", code);
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+std::string vector_text(const Vec3& v) { return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]); }
+
+}  // namespace
+
+void OptionWriter::line(const OptionInfo& info, const std::string& value) {
+  text_ +=
+      fmt::format("{} = {}{}\n", info.key, value, *info.unit.symbol ? fmt::format("  # {}", info.unit.symbol) : "");
+}
+
+void OptionWriter::number(const OptionInfo& info, double& value, Presence) { line(info, fmt::format("{}", value)); }
+
+void OptionWriter::number(const OptionInfo& info, std::optional<double>& value) {
+  if (value) line(info, fmt::format("{}", *value));
+}
+
+void OptionWriter::integer(const OptionInfo& info, std::int64_t& value, Presence) {
+  line(info, fmt::format("{}", value));
+}
+
+void OptionWriter::boolean(const OptionInfo& info, bool& value) { line(info, value ? "true" : "false"); }
+
+void OptionWriter::text(const OptionInfo& info, std::string& value, Presence) { line(info, quoted(value)); }
+
+void OptionWriter::vector(const OptionInfo& info, Vec3& value, Presence) { line(info, vector_text(value)); }
+
+void OptionWriter::vector(const OptionInfo& info, std::optional<Vec3>& value) {
+  if (value) line(info, vector_text(*value));
+}
+
+void OptionWriter::number_or(const OptionInfo& info, const char* word, std::optional<double>& value) {
+  line(info, value ? fmt::format("{}", *value) : quoted(word));
+}
+
+void OptionWriter::choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) {
+  std::vector<std::string> words;
+  for (int index : value) words.push_back(quoted(names[index]));
+  line(info, "[" + joined(words) + "]");
+}
+
+void OptionWriter::choice_index(const OptionInfo& info, const ChoiceNames& names, int& index, Presence) {
+  line(info, quoted(names[index]));
+}
+
+void OptionWriter::table(const OptionInfo& info, Presence, const std::function<void()>& describe) {
+  text_ += fmt::format("\n[{}]\n", info.key);
+  describe();
+}
+
+void OptionWriter::optional_table(const OptionInfo& info, bool& present, const std::function<void()>& describe) {
+  if (present) table(info, Presence::has_default, describe);
+}
+
+std::size_t OptionWriter::begin_tables(const OptionInfo&, std::size_t, std::size_t held) { return held; }
+
+void OptionWriter::begin_entry(const OptionInfo& info, std::size_t) { text_ += fmt::format("\n[[{}]]\n", info.key); }
+
+void OptionWriter::end_entry() {}
+
+void OptionWriter::end_tables() {}
+
+}  // namespace packstone

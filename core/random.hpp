@@ -1,0 +1,38 @@
+// Random numbers with names: a draw depends on (seed, stream, index, draw) alone, never on threads or on order.
+// Generator: Philox 4x32-10, Salmon, Moraes, Dror, Shaw, Proc. SC'11 (2011). The distributions are our own, since those
+// of the standard library differ from one implementation to the next.
+#pragma once
+
+#include <cstdint>
+
+namespace packstone {
+
+/// Every use of random numbers has a stream of its own; numbers are never reused for another purpose.
+enum class RandomStream : std::uint32_t {
+  filling_position = 1,
+  particle_radius = 2,
+  label_permutation = 3,
+};
+
+/// A sequence of draws for one item (a particle, a trial) of one stream.
+class Random {
+ public:
+  Random(std::uint64_t seed, RandomStream stream, std::uint64_t index);
+
+  std::uint32_t bits();
+  /// In [0, 1), 53 random bits.
+  double uniform();
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// In [0, n), n > 0, without bias.
+  std::uint32_t below(std::uint32_t n);
+
+ private:
+  void refill();
+
+  std::uint32_t key_[2];
+  std::uint32_t counter_[4];
+  std::uint32_t block_[4] = {};
+  int used_ = 4;
+};
+
+}  // namespace packstone

@@ -1,0 +1,185 @@
+#include "core/run_folder.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/hdf5.hpp"
+#include "core/units.hpp"
+
+namespace packstone {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* status_names[] = {"running", "finished", "failed", "interrupted"};
+constexpr const char* snapshot_extension = ".vtkhdf";
+constexpr const char* series_name = "snapshots.vtkhdf.series";
+
+bool is_run_folder(const fs::path& path) { return fs::is_regular_file(path / "run.json"); }
+
+double snapshot_time(const fs::path& file) {
+  return hdf5::Reader(file).dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
+}
+
+/// Folder of a run to be: empty, absent, or an earlier run that may be replaced.
+void prepare_folder(const fs::path& path, bool overwrite) {
+  std::error_code error;
+  if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path.string() + ": is a file; name a folder");
+  if (fs::is_directory(path) && !fs::is_empty(path, error)) {
+    if (!is_run_folder(path)) throw InputError(path.string() + ": holds other files; name an empty or a new folder");
+    if (!overwrite) {
+      throw InputError(path.string() +
+                       ": holds a run already; name another folder with -o, or replace it with --overwrite");
+    }
+    for (const char* part : {"scene.toml", "run.json", "history.csv", "snapshots"}) fs::remove_all(path / part, error);
+  }
+  fs::create_directories(path / "snapshots", error);
+  std::ofstream probe(path / ".writable");
+  if (error || !probe) throw InputError(path.string() + ": cannot be written; name a folder you may write to");
+  probe.close();
+  fs::remove(path / ".writable", error);
+}
+
+}  // namespace
+
+const char* to_string(RunStatus status) { return status_names[static_cast<int>(status)]; }
+
+RunReader::RunReader(const fs::path& path) : path_(path) {
+  if (!fs::exists(path)) throw InputError(path.string() + ": no such run folder or snapshot");
+  is_folder_ = fs::is_directory(path);
+  if (!is_folder_) {
+    files_ = {path};
+  } else {
+    if (!is_run_folder(path)) throw InputError(path.string() + ": not a run folder (it has no run.json)");
+    if (fs::is_directory(path / "snapshots")) {
+      for (const auto& entry : fs::directory_iterator(path / "snapshots")) {
+        const auto name = entry.path().filename().string();
+        if (name.starts_with("snapshot_") && entry.path().extension() == snapshot_extension) {
+          files_.push_back(entry.path());
+        }
+      }
+    }
+    std::sort(files_.begin(), files_.end());
+  }
+  for (const auto& file : files_) times_.push_back(snapshot_time(file));
+}
+
+Snapshot RunReader::snapshot(std::size_t index, const ReadOptions& options) const {
+  return read_snapshot(files_.at(index), options);
+}
+
+std::size_t RunReader::index_at(const std::string& where) const {
+  if (files_.empty()) throw InputError(path_.string() + ": holds no snapshot yet");
+  const auto count = static_cast<long>(files_.size());
+  if (where == "last") return files_.size() - 1;
+  if (where == "first") return 0;
+  if (where.starts_with("t=")) {
+    const double time = parse_quantity(where.substr(2), unit::second);
+    const auto nearest = std::min_element(times_.begin(), times_.end(),
+                                          [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
+    return static_cast<std::size_t>(nearest - times_.begin());
+  }
+  long index = 0;
+  const auto [end, error] = std::from_chars(where.data(), where.data() + where.size(), index);
+  if (error != std::errc() || end != where.data() + where.size()) {
+    throw InputError(fmt::format("\"{}\" names no snapshot; use last, first, a number, or t=SECONDS", where));
+  }
+  if (index < -count || index >= count) {
+    throw InputError(
+        fmt::format("snapshot {} does not exist; {} has numbers 0 to {}", index, path_.string(), count - 1));
+  }
+  return static_cast<std::size_t>(index < 0 ? index + count : index);
+}
+
+RunRecord RunReader::record() const {
+  RunRecord r;
+  if (!is_folder_) return r;
+  const fs::path file = path_ / "run.json";
+  try {
+    const auto json = ordered_json::parse(read_text_file(file));
+    r.title = json.at("title");
+    r.version = json.at("version");
+    r.git_revision = json.at("git_revision");
+    r.compiler = json.at("compiler");
+    r.machine = json.at("machine");
+    r.scene_hash = json.at("scene_hash");
+    r.seed = json.at("seed");
+    r.threads = json.at("threads");
+    r.reason = json.at("reason");
+    r.warnings = json.at("warnings").get<std::vector<std::string>>();
+    r.wall_seconds = json.at("wall_seconds");
+    r.steps = json.at("steps");
+    r.particles = json.at("particles");
+    const std::string status = json.at("status");
+    r.status = static_cast<RunStatus>(std::find(std::begin(status_names), std::end(status_names), status) -
+                                      std::begin(status_names));
+    if (r.status > RunStatus::interrupted) throw InputError(file.string() + ": unknown status \"" + status + "\"");
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file.string() + ": damaged: " + error.what());
+  }
+  return r;
+}
+
+std::string RunReader::scene_text() const {
+  return is_folder_ ? read_text_file(path_ / "scene.toml") : read_snapshot(path_).scene_text;
+}
+
+History RunReader::history() const {
+  if (!is_folder_) throw InputError(path_.string() + ": a single snapshot has no history; name the run folder");
+  return read_history(path_ / "history.csv");
+}
+
+RunWriter::RunWriter(const fs::path& path, bool overwrite) : path_(path) { prepare_folder(path, overwrite); }
+
+void RunWriter::write_scene(const std::string& text) const { write_text_file(path_ / "scene.toml", text); }
+
+void RunWriter::write_record(const RunRecord& r) const {
+  const ordered_json json = {
+      {"title", r.title},       {"version", r.version},          {"git_revision", r.git_revision},
+      {"compiler", r.compiler}, {"machine", r.machine},          {"scene_hash", r.scene_hash},
+      {"seed", r.seed},         {"threads", r.threads},          {"status", to_string(r.status)},
+      {"reason", r.reason},     {"warnings", r.warnings},        {"particles", r.particles},
+      {"steps", r.steps},       {"wall_seconds", r.wall_seconds}};
+  write_text_file(path_ / "run.json", json.dump(2) + "\n");
+}
+
+void RunWriter::write_snapshot(const Snapshot& snapshot) {
+  const std::string name = fmt::format("snapshot_{:06}{}", series_.size(), snapshot_extension);
+  packstone::write_snapshot(path_ / "snapshots" / name, snapshot);
+  series_.emplace_back(name, snapshot.time);
+  write_series();
+}
+
+void RunWriter::write_series() const {
+  ordered_json files = ordered_json::array();
+  for (const auto& [name, time] : series_) files.push_back({{"name", name}, {"time", time}});
+  const ordered_json json = {{"file-series-version", "1.0"}, {"files", files}};
+  write_text_file(path_ / "snapshots" / series_name, json.dump(1) + "\n");
+}
+
+void RunWriter::append_history(const std::vector<std::string>& columns, const std::vector<double>& row) {
+  const fs::path file = path_ / "history.csv";
+  std::string text;
+  if (!history_started_) {
+    for (const auto& column : columns) text += (text.empty() ? "" : ",") + column;
+    text += '\n';
+    history_started_ = true;
+  }
+  for (std::size_t k = 0; k < row.size(); ++k) text += fmt::format("{}{}", k ? "," : "", row[k]);
+  text += '\n';
+  std::ofstream stream(file, std::ios::app | std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw RunError(file.string() + ": cannot be written; is the disk full?");
+}
+
+}  // namespace packstone

@@ -1,0 +1,87 @@
+// The folder a run leaves behind: scene.toml, run.json, history.csv, snapshots/ (docs/format.md).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/history.hpp"
+#include "core/snapshot.hpp"
+
+namespace packstone {
+
+/// How far a run got.
+enum class RunStatus { running, finished, failed, interrupted };
+
+const char* to_string(RunStatus status);
+
+/// run.json: where the data come from.
+struct RunRecord {
+  std::string title;
+  std::string version;
+  std::string git_revision;
+  std::string compiler;
+  std::string machine;
+  std::string scene_hash;
+  std::uint64_t seed = 0;
+  int threads = 1;
+  RunStatus status = RunStatus::running;
+  std::string reason;  ///< why it failed or was interrupted
+  std::vector<std::string> warnings;
+  double wall_seconds = 0;
+  std::int64_t steps = 0;
+  std::int64_t particles = 0;
+};
+
+/// Reading side: a run folder, or a single snapshot file seen as a run of one.
+class RunReader {
+ public:
+  /// Throws InputError when path is neither a run folder nor a snapshot.
+  explicit RunReader(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return path_; }
+  bool is_folder() const { return is_folder_; }
+  std::size_t snapshot_count() const { return files_.size(); }
+  const std::vector<std::filesystem::path>& snapshot_files() const { return files_; }
+  /// Time of every snapshot [s], ascending.
+  const std::vector<double>& times() const { return times_; }
+  Snapshot snapshot(std::size_t index, const ReadOptions& options = {}) const;
+  /// Index from "last", "first", a number (negative counts from the end) or "t=SECONDS" (nearest).
+  std::size_t index_at(const std::string& where) const;
+  /// Empty for a single snapshot.
+  RunRecord record() const;
+  std::string scene_text() const;
+  History history() const;
+
+ private:
+  std::filesystem::path path_;
+  bool is_folder_ = false;
+  std::vector<std::filesystem::path> files_;
+  std::vector<double> times_;
+};
+
+/// Writing side. Every file is written under another name and renamed, history.csv excepted: it grows by whole lines.
+class RunWriter {
+ public:
+  /// Creates the folder. An existing run is replaced only when overwrite is set, and only when the folder is one.
+  /// Throws InputError when it cannot be made or written.
+  RunWriter(const std::filesystem::path& path, bool overwrite);
+
+  void write_scene(const std::string& text) const;
+  void write_record(const RunRecord& record) const;
+  void write_snapshot(const Snapshot& snapshot);
+  /// The first row fixes the columns.
+  void append_history(const std::vector<std::string>& columns, const std::vector<double>& row);
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void write_series() const;
+
+  std::filesystem::path path_;
+  std::vector<std::pair<std::string, double>> series_;
+  bool history_started_ = false;
+};
+
+}  // namespace packstone

@@ -1,0 +1,285 @@
+#include "core/scene.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/geometry.hpp"
+#include "core/options_reader.hpp"
+#include "core/text.hpp"
+
+namespace packstone {
+
+namespace {
+
+using enum Presence;
+
+/// Restitution exp(-2) of a critically damped linear contact that ends with its force.
+constexpr double least_zero_force_restitution = 0.1353352832366127;
+
+const ChoiceNames axes = {"x", "y", "z"};
+const ChoiceNames faces = {"x-", "x+", "y-", "y+", "z-", "z+"};
+const ChoiceNames output_fields = {"velocity", "angular_velocity", "force"};
+const ChoiceNames dynamics_kinds = {"newtonian"};
+
+void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
+  enum class Kind { newtonian } kind = Kind::newtonian;
+  v.choice({"kind", "Equations of motion"}, dynamics_kinds, kind, has_default);
+  v.number_or({"time_step", "Time step; \"auto\" takes the recommended share of the stiffest contact's duration",
+               unit::second, Range::positive()},
+              "auto", d.time_step);
+  v.number({"duration", "Physical time to simulate, filling included", unit::second, Range::positive()}, d.duration,
+           required);
+}
+
+void describe_domain(OptionVisitor& v, DomainSpec& d) {
+  v.vector({"min", "Lower corner; goes with max", unit::metre}, d.min);
+  v.vector({"max", "Upper corner", unit::metre}, d.max);
+  v.number({"volume_factor", "Domain volume over the particles' solid volume, instead of min and max", unit::none,
+            Range::positive()},
+           d.volume_factor);
+  v.vector({"aspect", "Ratio of the sides that goes with volume_factor; the lower corner is the origin", unit::none,
+            Range::positive()},
+           d.aspect);
+  v.choices({"periodic", "Periodic axes"}, axes, d.periodic);
+  v.choices({"open",
+             "Faces through which particles may leave and come back, as an absent lid; through any other face "
+             "that is not periodic a particle that leaves stops the run"},
+            faces, d.open);
+}
+
+void describe_gravity(OptionVisitor& v, GravitySpec& g) {
+  v.vector({"acceleration", "Acceleration", unit::acceleration}, g.acceleration, has_default);
+  v.number({"start", "Time from which it acts", unit::second, Range::at_least(0)}, g.start, has_default);
+}
+
+void describe_contact(OptionVisitor& v, ContactSpec& c) {
+  v.choice({"normal", "Normal contact law"}, {"linear", "hysteretic"}, c.normal, required);
+  v.choice({"tangential", "Tangential contact law"}, {"none", "cundall-strack"}, c.tangential, has_default);
+  v.choice({"release", "End of a linear contact: when the overlap is zero, or when the force would turn to a pull"},
+           {"zero-overlap", "zero-force"}, c.release, has_default);
+}
+
+void describe_material(OptionVisitor& v, MaterialSpec& m) {
+  v.text({"name", "Name that particles and boundaries refer to"}, m.name, required);
+  v.number({"density", "Density", unit::density, Range::positive()}, m.density, required);
+  v.number(
+      {"normal_stiffness", "Spring constant k_n of a contact of two such bodies", unit::stiffness, Range::positive()},
+      m.normal_stiffness, required);
+  v.number(
+      {"tangential_stiffness", "Spring constant k_s; needed by cundall-strack", unit::stiffness, Range::positive()},
+      m.tangential_stiffness);
+  v.number({"normal_damping", "Damping: hysteretic a pure number g below 1, linear a coefficient in N s/m",
+            unit::damping, Range::at_least(0)},
+           m.normal_damping);
+  v.number(
+      {"restitution", "Coefficient of restitution, instead of normal_damping", unit::none, Range::above_up_to(0, 1)},
+      m.restitution);
+  v.number({"friction", "Coulomb friction coefficient", unit::none, Range::at_least(0)}, m.friction, has_default);
+}
+
+void describe_group(OptionVisitor& v, GroupSpec& g) {
+  v.text({"name", "Name in legends and tables; the material's unless given"}, g.name, has_default);
+  v.text({"material", "Name of a [[material]]"}, g.material, required);
+  v.integer({"count", "Number of particles", unit::none, Range::at_least(1)}, g.count, required);
+  v.number({"radius", "Radius", unit::metre, Range::positive()}, g.radius, required);
+}
+
+void describe_filling(OptionVisitor& v, FillingSpec& f) {
+  v.choice({"kind", "How the particles come in. growth: centres at random, radii grow from zero to full size"},
+           {"growth"}, f.kind, required);
+  v.number({"duration", "Time the growth takes", unit::second, Range::positive()}, f.duration, required);
+  v.vector({"region_min", "Lower corner of the region to fill; the domain's unless given", unit::metre}, f.region_min);
+  v.vector({"region_max", "Upper corner of the region to fill", unit::metre}, f.region_max);
+}
+
+void describe_boundary(OptionVisitor& v, BoundarySpec& b) {
+  v.text({"name", "Name in messages and tables"}, b.name, required);
+  v.choice({"kind", "Shape"}, {"plane"}, b.kind, required);
+  v.vector({"point", "A point of the plane", unit::metre}, b.point, required);
+  v.vector({"normal", "Direction from the wall to the particles' side; any length"}, b.normal, required);
+  v.text({"material", "Name of a [[material]]; the first one unless given"}, b.material, has_default);
+}
+
+void describe_output(OptionVisitor& v, OutputSpec& o) {
+  v.number({"interval", "Time between snapshots", unit::second, Range::positive()}, o.interval, required);
+  v.choices({"fields", "Particle quantities to write beside position, radius, id, type and material"}, output_fields,
+            o.fields);
+  v.boolean({"contacts", "Whether snapshots hold the contacts and their forces"}, o.contacts);
+  v.number({"history_interval", "Time between rows of history.csv", unit::second, Range::positive()},
+           o.history_interval, has_default);
+}
+
+void describe_monitor(OptionVisitor& v, MonitorSpec& m) {
+  v.number({"overlap_limit", "Largest overlap allowed, as a share of the smaller full radius", unit::none,
+            Range::above_up_to(0, 1)},
+           m.overlap_limit, has_default);
+  v.number({"energy_tolerance",
+            "Largest rise of kinetic and elastic energy that nothing puts in, as a share of the "
+            "energy put in so far",
+            unit::none, Range::positive()},
+           m.energy_tolerance, has_default);
+}
+
+void check_names(const Scene& s) {
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < s.materials.size(); ++k) {
+    if (!names.insert(s.materials[k].name).second) {
+      s.fail(fmt::format("material[{}].name", k),
+             fmt::format("\"{}\" is taken; give each material its own name", s.materials[k].name));
+    }
+  }
+  const std::vector<std::string> known(names.begin(), names.end());
+  const auto check = [&](const std::string& path, const std::string& name) {
+    if (names.count(name)) return;
+    const auto near = nearest_name(name, known);
+    s.fail(path, fmt::format("no material \"{}\"; {}", name,
+                             near ? fmt::format("did you mean \"{}\"?", *near) : "there are: " + joined(known)));
+  };
+  for (std::size_t k = 0; k < s.particles.size(); ++k) {
+    check(fmt::format("particles[{}].material", k), s.particles[k].material);
+  }
+  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
+    check(fmt::format("boundary[{}].material", k), s.boundaries[k].material);
+    if (s.boundaries[k].normal.norm() == 0) s.fail(fmt::format("boundary[{}].normal", k), "has no length");
+  }
+}
+
+void check_materials(const Scene& s) {
+  for (std::size_t k = 0; k < s.materials.size(); ++k) {
+    const MaterialSpec& m = s.materials[k];
+    const std::string path = fmt::format("material[{}]", k);
+    if (m.normal_damping && m.restitution) {
+      s.fail(path + ".restitution", "is given beside normal_damping; keep one of the two");
+    }
+    if (!m.normal_damping && !m.restitution) s.fail(path, "needs normal_damping or restitution");
+    if (s.contact.normal == NormalModel::linear && s.contact.release == Release::zero_force &&
+        m.restitution.value_or(1) < least_zero_force_restitution) {
+      s.fail(path + ".restitution", fmt::format("{:g} cannot be reached with contact.release = \"zero-force\", whose "
+                                                "restitution is {:.3f} at critical damping; take \"zero-overlap\"",
+                                                *m.restitution, least_zero_force_restitution));
+    }
+    if (s.contact.normal == NormalModel::hysteretic && m.normal_damping.value_or(0) >= 1) {
+      s.fail(path + ".normal_damping",
+             fmt::format("{:g} would pull on unloading; hysteretic damping is from 0 to below 1", *m.normal_damping));
+    }
+    if (s.contact.tangential == TangentialModel::cundall_strack && !m.tangential_stiffness) {
+      s.fail(path, "needs tangential_stiffness for contact.tangential = \"cundall-strack\"");
+    }
+  }
+}
+
+void check_domain(const Scene& s) {
+  const DomainSpec& d = s.domain;
+  if (d.volume_factor ? (d.min || d.max || !d.aspect) : (!d.min || !d.max || d.aspect)) {
+    s.fail("domain", "needs either min and max, or volume_factor and aspect");
+  }
+  const Domain box = s.box();
+  for (int k = 0; k < 3; ++k) {
+    if (!(box.max[k] > box.min[k])) s.fail("domain.max", "must lie above domain.min along every axis");
+  }
+  for (int face : d.open) {
+    if (box.periodic[face / 2]) s.fail("domain.open", fmt::format("\"{}\" is a periodic side", faces[face]));
+  }
+  const Vec3 low = s.filling.region_min.value_or(box.min), high = s.filling.region_max.value_or(box.max);
+  if ((low.array() < box.min.array()).any()) s.fail("filling.region_min", "lies outside the domain");
+  if ((high.array() > box.max.array()).any()) s.fail("filling.region_max", "lies outside the domain");
+  if ((high.array() <= low.array()).any()) s.fail("filling.region_max", "must lie above filling.region_min");
+}
+
+void fill_defaults(Scene& s) {
+  for (auto& group : s.particles) {
+    if (group.name.empty()) group.name = group.material;
+  }
+  for (auto& boundary : s.boundaries) {
+    if (boundary.material.empty()) boundary.material = s.materials.front().name;
+  }
+}
+
+}  // namespace
+
+void describe(OptionVisitor& v, Scene& s) {
+  v.text({"title", "Title of the run, shown in pictures and reports"}, s.title, has_default);
+  v.integer({"seed", "Seed of every random stream", unit::none, Range::at_least(0)}, s.seed, has_default);
+  v.table({"dynamics", "Motion and time"}, required, [&] { describe_dynamics(v, s.dynamics); });
+  v.table({"domain", "The box that holds the particles' centres"}, required, [&] { describe_domain(v, s.domain); });
+  v.optional_table({"gravity", "Gravity; none when left out"}, s.gravity.present,
+                   [&] { describe_gravity(v, s.gravity); });
+  v.table({"contact", "Contact laws"}, required, [&] { describe_contact(v, s.contact); });
+  v.tables<MaterialSpec>({"material", "Materials of particles and boundaries"}, 1, s.materials, describe_material);
+  v.tables<GroupSpec>({"particles", "Groups of particles; the number of a group is its type in the output"}, 1,
+                      s.particles, describe_group);
+  v.table({"filling", "How the particles come in"}, required, [&] { describe_filling(v, s.filling); });
+  v.tables<BoundarySpec>({"boundary", "Walls"}, 0, s.boundaries, describe_boundary);
+  v.table({"output", "What the run folder holds"}, required, [&] { describe_output(v, s.output); });
+  v.table({"monitor", "Limits at which a run that goes wrong is stopped"}, has_default,
+          [&] { describe_monitor(v, s.monitor); });
+}
+
+void Scene::fail(const std::string& path, const std::string& what) const {
+  std::string at = path;
+  while (!at.empty() && !locations.count(at)) {
+    const std::size_t cut = at.find_last_of(".[");
+    at = cut == std::string::npos ? "" : at.substr(0, cut);
+  }
+  const auto found = locations.find(at);
+  throw InputError((found == locations.end() ? "" : found->second + ": ") + path + ": " + what);
+}
+
+std::int64_t Scene::particle_count() const {
+  std::int64_t total = 0;
+  for (const auto& group : particles) total += group.count;
+  return total;
+}
+
+double Scene::solid_volume() const {
+  double total = 0;
+  for (const auto& group : particles) total += static_cast<double>(group.count) * sphere_volume(group.radius);
+  return total;
+}
+
+Domain Scene::box() const {
+  Domain box;
+  for (int axis : domain.periodic) box.periodic[axis] = true;
+  if (domain.volume_factor) {
+    box.min.setZero();
+    box.max = *domain.aspect * std::cbrt(*domain.volume_factor * solid_volume() / domain.aspect->prod());
+  } else {
+    box.min = *domain.min;
+    box.max = *domain.max;
+  }
+  return box;
+}
+
+int Scene::material_index(const std::string& name) const {
+  const auto found = std::find_if(materials.begin(), materials.end(), [&](const auto& m) { return m.name == name; });
+  return static_cast<int>(found - materials.begin());
+}
+
+Scene parse_scene(const std::string& text, const std::string& source_name, const std::vector<std::string>& overrides) {
+  Scene scene;
+  OptionReader reader(text, source_name, overrides, scene.locations);
+  describe(reader, scene);
+  reader.finish();
+  fill_defaults(scene);
+  check_names(scene);
+  check_materials(scene);
+  check_domain(scene);
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return parse_scene(read_text_file(path), path.string(), overrides);
+}
+
+std::string scene_hash(const Scene& scene) {
+  constexpr std::uint64_t fnv_offset = 0xcbf29ce484222325ull, fnv_prime = 0x100000001b3ull;
+  std::uint64_t hash = fnv_offset;
+  for (unsigned char byte : to_toml(scene)) hash = (hash ^ byte) * fnv_prime;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace packstone

@@ -1,0 +1,150 @@
+// The scene: what is to be simulated, as the user wrote it, every default filled in. docs/scene.md is generated from
+// the same descriptions.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/domain.hpp"
+#include "core/options.hpp"
+#include "core/vec3.hpp"
+
+namespace packstone {
+
+enum class NormalModel { linear, hysteretic };
+enum class TangentialModel { none, cundall_strack };
+/// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
+enum class Release { zero_overlap, zero_force };
+enum class FillingKind { growth };
+enum class BoundaryKind { plane };
+
+/// Faces of the domain through which particles may leave and come back.
+enum Face { x_min, x_max, y_min, y_max, z_min, z_max, face_count };
+
+struct DynamicsSpec {
+  std::optional<double> time_step;  ///< [s]; none: chosen from the stiffest contact
+  double duration = 0;              ///< [s]
+};
+
+struct DomainSpec {
+  std::optional<Vec3> min;              ///< [m]
+  std::optional<Vec3> max;              ///< [m]
+  std::optional<double> volume_factor;  ///< domain volume over solid volume, instead of min and max
+  std::optional<Vec3> aspect;           ///< sides' ratio that goes with volume_factor
+  std::vector<int> periodic;            ///< axes, 0 to 2
+  std::vector<int> open;                ///< Face values
+};
+
+struct GravitySpec {
+  bool present = false;
+  Vec3 acceleration = Vec3(0, 0, -9.8);  ///< [m/s2]
+  double start = 0;                      ///< [s]
+};
+
+struct ContactSpec {
+  NormalModel normal = NormalModel::linear;
+  TangentialModel tangential = TangentialModel::none;
+  Release release = Release::zero_overlap;
+};
+
+struct MaterialSpec {
+  std::string name;
+  double density = 0;                          ///< [kg/m3]
+  double normal_stiffness = 0;                 ///< [N/m]
+  std::optional<double> tangential_stiffness;  ///< [N/m]
+  std::optional<double> normal_damping;        ///< hysteretic: pure number; linear: [N s/m]
+  std::optional<double> restitution;           ///< instead of normal_damping
+  double friction = 0;
+};
+
+struct GroupSpec {
+  std::string name;  ///< shown in legends and tables; the material's name unless given
+  std::string material;
+  std::int64_t count = 0;
+  double radius = 0;  ///< [m]
+};
+
+struct FillingSpec {
+  FillingKind kind = FillingKind::growth;
+  double duration = 0;             ///< [s]
+  std::optional<Vec3> region_min;  ///< [m]; the domain unless given
+  std::optional<Vec3> region_max;  ///< [m]
+};
+
+struct BoundarySpec {
+  std::string name;
+  BoundaryKind kind = BoundaryKind::plane;
+  Vec3 point = Vec3::Zero();    ///< [m]
+  Vec3 normal = Vec3::UnitZ();  ///< to the particles' side
+  std::string material;         ///< the first material unless given
+};
+
+struct OutputSpec {
+  double interval = 0;  ///< between snapshots [s]
+  std::vector<int> fields;
+  bool contacts = true;
+  double history_interval = 1e-3;  ///< [s]
+};
+
+struct MonitorSpec {
+  double overlap_limit = 0.05;    ///< share of the smaller radius
+  double energy_tolerance = 0.2;  ///< share of the energy put in so far
+};
+
+/// Output fields in the order of OutputSpec::fields' indices.
+inline constexpr int output_velocity = 0, output_angular_velocity = 1, output_force = 2;
+
+struct Scene {
+  std::string title = "untitled";
+  std::int64_t seed = 1;
+  DynamicsSpec dynamics;
+  DomainSpec domain;
+  GravitySpec gravity;
+  ContactSpec contact;
+  std::vector<MaterialSpec> materials;
+  std::vector<GroupSpec> particles;
+  FillingSpec filling;
+  std::vector<BoundarySpec> boundaries;
+  OutputSpec output;
+  MonitorSpec monitor;
+
+  /// "FILE:LINE:COL" of every key that was read, by path ("material[0].density").
+  std::map<std::string, std::string> locations;
+
+  /// Throws InputError "FILE:LINE:COL: key: what", located at the key or the nearest table above it.
+  [[noreturn]] void fail(const std::string& path, const std::string& what) const;
+
+  std::int64_t particle_count() const;
+  /// Volume of all spheres at full size [m3].
+  double solid_volume() const;
+  /// The box, from min and max or from the particles' volume.
+  Domain box() const;
+  /// Index into materials of a name that validation has found.
+  int material_index(const std::string& name) const;
+};
+
+/// The one description of every key.
+void describe(OptionVisitor& visitor, Scene& scene);
+
+/// Reads, checks each key and the keys against each other.
+/// Overrides are "key=value" texts such as "dynamics.time_step=10 us" or "particles[0].count=100".
+/// Throws InputError "FILE:LINE:COL: key: what is wrong; what would be right".
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+Scene parse_scene(const std::string& text, const std::string& source_name,
+                  const std::vector<std::string>& overrides = {});
+
+/// The scene as TOML with every default filled in; reading it back gives the same scene.
+std::string to_toml(const Scene& scene);
+
+/// 16 hex digits that change with any value of the scene (FNV-1a, 64 bits, of to_toml).
+std::string scene_hash(const Scene& scene);
+
+/// docs/scene.md, and the short list that `--help` shows.
+std::string scene_reference_markdown();
+std::string scene_reference_text();
+
+}  // namespace packstone

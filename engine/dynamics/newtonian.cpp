@@ -1,0 +1,66 @@
+// The one place where a scene's choice of laws becomes code.
+
+#include <algorithm>
+
+#include "engine/dynamics/newtonian_step.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+template <class Normal>
+std::unique_ptr<Dynamics> with_normal(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes,
+                                      double largest_radius) {
+  if (rotates(scene)) {
+    return std::make_unique<NewtonianStep<Normal, CundallStrack>>(scene, domain, planes, largest_radius);
+  }
+  return std::make_unique<NewtonianStep<Normal, Frictionless>>(scene, domain, planes, largest_radius);
+}
+
+}  // namespace
+
+void StepSums::add(const StepSums& other) {
+  dissipated += other.dissipated;
+  growth_work += other.growth_work;
+  gravity_work += other.gravity_work;
+  largest_displacement_squared = std::max(largest_displacement_squared, other.largest_displacement_squared);
+  if (!offence) offence = other.offence;
+  kinetic_translational += other.kinetic_translational;
+  kinetic_rotational += other.kinetic_rotational;
+  elastic += other.elastic;
+  largest_overlap_share = std::max(largest_overlap_share, other.largest_overlap_share);
+  largest_speed_squared = std::max(largest_speed_squared, other.largest_speed_squared);
+  particle_contacts += other.particle_contacts;
+  wall_contacts += other.wall_contacts;
+}
+
+bool rotates(const Scene& scene) {
+  return scene.contact.tangential != TangentialModel::none &&
+         std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.friction > 0; });
+}
+
+std::vector<Plane> make_planes(const Scene& scene) {
+  std::vector<Plane> planes;
+  for (const auto& b : scene.boundaries) {
+    planes.push_back({b.point, b.normal.normalized(), static_cast<std::size_t>(scene.material_index(b.material))});
+  }
+  return planes;
+}
+
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+  const double largest_radius =
+      std::max_element(scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) {
+        return a.radius < b.radius;
+      })->radius;
+  switch (scene.contact.normal) {
+    case NormalModel::hysteretic:
+      return with_normal<Hysteretic>(scene, domain, planes, largest_radius);
+    case NormalModel::linear:
+      break;
+  }
+  return scene.contact.release == Release::zero_force
+             ? with_normal<Linear<Release::zero_force>>(scene, domain, planes, largest_radius)
+             : with_normal<Linear<Release::zero_overlap>>(scene, domain, planes, largest_radius);
+}
+
+}  // namespace packstone::engine

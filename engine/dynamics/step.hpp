@@ -1,0 +1,83 @@
+// One time step as the simulation sees it: what goes in, what comes out, and the interface that every combination of
+// laws implements.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+#include "engine/boundary/plane.hpp"
+#include "engine/detection/neighbour_list.hpp"
+#include "engine/dynamics/particles.hpp"
+
+namespace packstone::engine {
+
+/// What holds during one step.
+struct StepInput {
+  double dt = 0;  ///< [s]
+  Growth growth;
+  Vec3 gravity = Vec3::Zero();  ///< [m/s2]; zero before it starts
+  double overlap_limit = 0;     ///< share of the smaller full radius
+};
+
+/// A contact beyond the overlap limit.
+struct Offence {
+  std::int64_t first = 0;
+  std::int64_t second = 0;  ///< particle, or -1-k for boundary k
+  double overlap = 0;       ///< [m]
+};
+
+/// Sums over all particles; those marked (recorded) are only made in a recording step.
+struct StepSums {
+  double dissipated = 0;                    ///< by normal damping and sliding [J]
+  double growth_work = 0;                   ///< of growing radii against contact forces [J]
+  double gravity_work = 0;                  ///< [J]
+  double largest_displacement_squared = 0;  ///< since the list was built; infinite if not a number [m2]
+  std::optional<Offence> offence;
+  double kinetic_translational = 0;    ///< (recorded) [J]
+  double kinetic_rotational = 0;       ///< (recorded) [J]
+  double elastic = 0;                  ///< (recorded) stored in contacts [J]
+  double largest_overlap_share = 0;    ///< (recorded) of the smaller full radius
+  double largest_speed_squared = 0;    ///< (recorded) [m2/s2]
+  std::int64_t particle_contacts = 0;  ///< (recorded) each pair once
+  std::int64_t wall_contacts = 0;      ///< (recorded)
+
+  void add(const StepSums& other);
+};
+
+/// Per-particle results of a recording step, at the instant the step begins with.
+struct Recorder {
+  bool want_contacts = false;
+  std::vector<Vec3> velocity;          ///< [m/s]
+  std::vector<Vec3> angular_velocity;  ///< [rad/s]; empty where nothing turns
+  std::vector<Vec3> force;             ///< contacts and gravity [N]
+  Contacts contacts;
+};
+
+/// Equations of motion with one choice of laws.
+class Dynamics {
+ public:
+  virtual ~Dynamics() = default;
+
+  /// Builds the list anew and carries contact history over.
+  virtual void rebuild(Particles& particles, const Growth& growth) = 0;
+
+  /// Forces at `now`, motion into `next`; the caller swaps them. recorder may be null.
+  virtual StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) = 0;
+
+  virtual const NeighbourList& neighbours() const = 0;
+};
+
+/// Combines the scene's laws once. Friction that is zero everywhere costs nothing: no rotation, no history.
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+
+/// Whether particles turn: only friction turns a sphere.
+bool rotates(const Scene& scene);
+
+/// Planes of the scene's boundaries.
+std::vector<Plane> make_planes(const Scene& scene);
+
+}  // namespace packstone::engine

@@ -1,0 +1,88 @@
+#include "engine/filling/growth.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/geometry.hpp"
+#include "core/random.hpp"
+#include "engine/dynamics/step.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr double random_close_packing = 0.64;  ///< equal spheres, Scott & Kilgour, J. Phys. D 2 (1969) 863: 0.6366
+/// Small spheres filling the gaps of large ones (Furnas' limit).
+constexpr double binary_close_packing = 1 - (1 - random_close_packing) * (1 - random_close_packing);
+/// Below this ratio of radii small spheres do not fit into the gaps, and mixtures pack much as equal spheres do.
+constexpr double gap_filling_ratio = 2.0;
+constexpr int placement_trials = 1000;
+constexpr double solid_sphere_inertia = 2.0 / 5.0;  ///< in m R^2
+
+Vec3 region_low(const Scene& s, const Domain& d) { return s.filling.region_min.value_or(d.min); }
+Vec3 region_high(const Scene& s, const Domain& d) { return s.filling.region_max.value_or(d.max); }
+
+Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes, std::int64_t id) {
+  const Vec3 low = region_low(scene, domain), high = region_high(scene, domain);
+  Random random(static_cast<std::uint64_t>(scene.seed), RandomStream::filling_position, static_cast<std::uint64_t>(id));
+  for (int trial = 0; trial < placement_trials; ++trial) {
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = random.uniform(low[k], high[k]);
+    if (std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.distance(p) > 0; })) return p;
+  }
+  scene.fail("filling", fmt::format("no place for particle {}: the boundaries cut off nearly all of the region; check "
+                                    "each boundary's point and the direction of its normal",
+                                    id));
+}
+
+}  // namespace
+
+void check_growth_volume(const Scene& scene, const Domain& domain) {
+  const auto [smallest, largest] = std::minmax_element(
+      scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  const double limit =
+      largest->radius > gap_filling_ratio * smallest->radius ? binary_close_packing : random_close_packing;
+  const double room = (region_high(scene, domain) - region_low(scene, domain)).prod();
+  const double solid = scene.solid_volume();
+  if (solid > limit * room) {
+    scene.fail(
+        "filling",
+        fmt::format("the particles' {:.4g} m3 do not fit into the region's {:.4g} m3: a fraction of {:.2f}, and a "
+                    "random packing reaches about {:.2f}; enlarge the domain to at least {:.4g} m3 or take fewer "
+                    "particles",
+                    solid, room, solid / room, limit, solid / limit));
+  }
+}
+
+Particles grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+  const auto n = static_cast<std::size_t>(scene.particle_count());
+  const bool turning = rotates(scene);
+  Particles p;
+  p.now.resize(n, turning);
+  p.next.resize(n, turning);
+  p.half_velocity.resize(n);
+  if (turning) p.half_angular_velocity.resize(n);
+  for (std::size_t g = 0; g < scene.particles.size(); ++g) {
+    const GroupSpec& group = scene.particles[g];
+    const int material = scene.material_index(group.material);
+    const double mass = scene.materials[material].density * sphere_volume(group.radius);
+    for (std::int64_t k = 0; k < group.count; ++k) {
+      const std::size_t i = p.size();
+      p.radius.push_back(group.radius);
+      p.inverse_mass.push_back(1 / mass);
+      p.inverse_inertia.push_back(1 / (solid_sphere_inertia * mass * group.radius * group.radius));
+      p.material.push_back(static_cast<std::uint16_t>(material));
+      p.type.push_back(static_cast<std::int32_t>(g));
+      p.now.position.set(i, random_position(scene, domain, planes, static_cast<std::int64_t>(i)));
+    }
+  }
+  return p;
+}
+
+Growth growth_at(const Scene& scene, double time) {
+  if (time >= scene.filling.duration) return {1, 0};
+  return {time / scene.filling.duration, 1 / scene.filling.duration};
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,24 @@
+// Growth filling, Zhong et al., Acta Phys. Sin. 58 (2009), section 6.1: centres at random, radii that grow from zero to
+// full size while contacts push the particles apart. Masses are those of the full size throughout: one that vanished
+// with the radius would make the contact time vanish and any fixed step unstable.
+#pragma once
+
+#include <vector>
+
+#include "core/scene.hpp"
+#include "engine/boundary/plane.hpp"
+#include "engine/dynamics/particles.hpp"
+
+namespace packstone::engine {
+
+/// Refuses to grow more volume than a random packing in the region holds. Throws InputError.
+void check_growth_volume(const Scene& scene, const Domain& domain);
+
+/// All particles at rest at random positions in the region, on the inner side of every plane. Ids follow the groups.
+/// Throws InputError when the planes leave no room.
+Particles grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+
+/// Share of full size and its rate at a time [s].
+Growth growth_at(const Scene& scene, double time);
+
+}  // namespace packstone::engine

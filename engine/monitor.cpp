@@ -1,0 +1,100 @@
+#include "engine/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "engine/time_step.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr const char* face_names[face_count] = {"x-", "x+", "y-", "y+", "z-", "z+"};
+
+constexpr double account_share = 0.1;  ///< of the energy put in: an account further off than this is worth a warning
+
+std::string place(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p[0], p[1], p[2]); }
+
+std::string particle(const Scene& scene, const Particles& particles, std::int64_t id) {
+  return fmt::format("particle {} ({})", id, scene.particles[particles.type[id]].name);
+}
+
+}  // namespace
+
+std::string Monitor::step_advice() const {
+  const StepLimit limit = step_limit(scene_);
+  return fmt::format("dynamics.time_step is {:.3g} us, recommended is {:.3g} us or less", dt_ * 1e6,
+                     limit.recommended * 1e6);
+}
+
+void Monitor::check_positions(const Particles& particles, double time) const {
+  const Vec3 side = domain_.size();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3 p = particles.now.position.get(i);
+    const std::string name = p.allFinite() ? "" : particle(scene_, particles, static_cast<std::int64_t>(i));
+    if (!p.allFinite()) {
+      throw RunError(fmt::format("t = {:.6g} s: the position of {} is not a number; {}", time, name, step_advice()));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (domain_.periodic[axis]) continue;
+      for (const int face : {2 * axis, 2 * axis + 1}) {
+        const double beyond = face % 2 ? p[axis] - domain_.max[axis] : domain_.min[axis] - p[axis];
+        const bool open = std::count(scene_.domain.open.begin(), scene_.domain.open.end(), face) > 0;
+        if (beyond <= (open ? side[axis] : 0)) continue;
+        throw RunError(fmt::format(
+            "t = {:.6g} s: {} left the domain through the face {} at {}; {}", time,
+            particle(scene_, particles, static_cast<std::int64_t>(i)), face_names[face], place(p),
+            open ? "it is more than a domain's length away and will not come back; close the face with a boundary"
+                 : fmt::format("add a boundary there, enlarge the domain, or list \"{}\" in domain.open; if it went "
+                               "through a boundary: {}",
+                               face_names[face], step_advice())));
+      }
+    }
+  }
+}
+
+void Monitor::check_overlap(const StepSums& sums, const Particles& particles, double time) const {
+  if (!sums.offence) return;
+  const Offence& o = *sums.offence;
+  const double radius =
+      o.second < 0 ? particles.radius[o.first] : std::min(particles.radius[o.first], particles.radius[o.second]);
+  const std::string other =
+      o.second < 0 ? "boundary " + scene_.boundaries[-1 - o.second].name : particle(scene_, particles, o.second);
+  throw RunError(fmt::format(
+      "t = {:.6g} s: {} and {} overlap by {:.1f} % of the smaller radius at {}, beyond monitor.overlap_limit = {:g} %; "
+      "{}raise normal_stiffness, or the step is too large: {}",
+      time, particle(scene_, particles, o.first), other, 100 * o.overlap / radius,
+      place(particles.now.position.get(o.first)), 100 * scene_.monitor.overlap_limit,
+      time < scene_.filling.duration ? "lengthen filling.duration, " : "", step_advice()));
+}
+
+void Monitor::check_energy(const EnergyAccount& account, double time) {
+  if (!std::isfinite(account.error())) {
+    throw RunError(fmt::format("t = {:.6g} s: the energy is not a number; {}", time, step_advice()));
+  }
+  largest_input_ = std::max(largest_input_, std::abs(account.growth_work) + std::abs(account.gravity_work));
+  const double unfed = account.mechanical() - account.input();  // dissipation can only lower it
+  lowest_unfed_ = std::min(lowest_unfed_, unfed);
+  if (unfed - lowest_unfed_ > scene_.monitor.energy_tolerance * largest_input_) {
+    throw RunError(fmt::format(
+        "t = {:.6g} s: the energy grows: kinetic and elastic energy rose by {:.4g} J that nothing put in, beyond "
+        "monitor.energy_tolerance = {:g} of the {:.4g} J put in so far; {}",
+        time, unfed - lowest_unfed_, scene_.monitor.energy_tolerance, largest_input_, step_advice()));
+  }
+}
+
+void Monitor::check_account(const EnergyAccount& account, std::vector<std::string>& warnings) const {
+  if (std::abs(account.error()) <= account_share * largest_input_) return;
+  const char* cause =
+      scene_.contact.normal == NormalModel::hysteretic
+          ? "the sign of hysteretic damping flips from step to step in contacts at rest, so that the step "
+            "feeds in what the law takes out"
+          : "the step is too large to follow the collisions";
+  warnings.push_back(fmt::format("the energy account does not close: {:+.3g} J beside the {:.3g} J put in; {}; {}",
+                                 account.error(), largest_input_, cause, step_advice()));
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,53 @@
+// Watches a run and stops it, with the cause in physical terms, before wrong numbers get out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "engine/dynamics/particles.hpp"
+#include "engine/dynamics/step.hpp"
+
+namespace packstone::engine {
+
+/// Energies of one instant and what has passed through since the start [J].
+struct EnergyAccount {
+  double kinetic = 0;
+  double elastic = 0;
+  double dissipated = 0;
+  double growth_work = 0;
+  double gravity_work = 0;
+
+  double mechanical() const { return kinetic + elastic; }
+  double input() const { return growth_work + gravity_work; }
+  /// What nothing accounts for; 0 in exact arithmetic with an infinitely small step.
+  double error() const { return mechanical() + dissipated - input(); }
+};
+
+class Monitor {
+ public:
+  Monitor(const Scene& scene, const Domain& domain, double dt) : scene_(scene), domain_(domain), dt_(dt) {}
+
+  /// Every position is a number and inside the domain, but for open faces. Throws RunError naming the particle.
+  void check_positions(const Particles& particles, double time) const;
+
+  /// Throws RunError naming the pair when a contact was beyond the overlap limit.
+  void check_overlap(const StepSums& sums, const Particles& particles, double time) const;
+
+  /// Kinetic and elastic energy must not rise unless growth or gravity puts it in. Throws RunError.
+  void check_energy(const EnergyAccount& account, double time);
+
+  /// At the end: warns when the account does not close.
+  void check_account(const EnergyAccount& account, std::vector<std::string>& warnings) const;
+
+ private:
+  std::string step_advice() const;
+
+  const Scene& scene_;
+  Domain domain_;
+  double dt_;
+  double largest_input_ = 0;  ///< [J]
+  double lowest_unfed_ = 0;   ///< least of mechanical energy less input so far [J]
+};
+
+}  // namespace packstone::engine

@@ -1,0 +1,92 @@
+#include "engine/run.hpp"
+
+#include <chrono>
+#include <fstream>
+
+#include <omp.h>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "engine/simulation.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+/// Name of the processor.
+std::string machine() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, const RunControl& control) {
+  omp_set_num_threads(control.threads > 0 ? control.threads : omp_get_num_procs());
+  const Stopwatch clock;
+  Simulation simulation(scene);
+  std::size_t warned = 0;
+  const auto pass_on_warnings = [&] {
+    for (; warned < simulation.warnings().size(); ++warned) {
+      if (control.warn) control.warn(simulation.warnings()[warned]);
+    }
+  };
+  pass_on_warnings();
+
+  RunWriter writer(folder, control.overwrite);
+  RunRecord record;
+  record.title = scene.title;
+  record.version = version();
+  record.git_revision = git_revision();
+  record.compiler = compiler();
+  record.machine = machine();
+  record.scene_hash = scene_hash(simulation.scene());
+  record.seed = static_cast<std::uint64_t>(scene.seed);
+  record.threads = omp_get_max_threads();
+  record.warnings = simulation.warnings();
+  record.particles = scene.particle_count();
+  writer.write_scene(to_toml(simulation.scene()));
+  writer.write_record(record);
+
+  SimulationEvents events;
+  events.snapshot = [&](const Snapshot& snapshot) { writer.write_snapshot(snapshot); };
+  events.history = [&](const auto& columns, const auto& row) { writer.append_history(columns, row); };
+  events.progress = [&](std::int64_t step, std::int64_t steps, double time) {
+    record.steps = step;
+    if (control.progress) control.progress(step, steps, time);
+  };
+  events.should_stop = control.should_stop;
+
+  const auto finish = [&](RunStatus status, const std::string& reason) {
+    record.status = status;
+    record.reason = reason;
+    record.warnings = simulation.warnings();
+    record.wall_seconds = clock.seconds();
+    writer.write_record(record);
+  };
+  try {
+    simulation.run(events);
+  } catch (const Interrupted& stop) {
+    finish(RunStatus::interrupted, stop.what());
+    throw;
+  } catch (const std::exception& failure) {
+    finish(RunStatus::failed, failure.what());
+    throw;
+  }
+  finish(RunStatus::finished, "");
+  pass_on_warnings();
+  return record;
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,27 @@
+// A scene run into a run folder.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/run_folder.hpp"
+#include "core/scene.hpp"
+
+namespace packstone::engine {
+
+struct RunControl {
+  int threads = 0;         ///< 0: as many as the machine has
+  bool overwrite = false;  ///< replace an earlier run in the folder
+  std::function<void(const std::string&)> warn;
+  std::function<void(std::int64_t step, std::int64_t steps, double time)> progress;
+  std::function<bool()> should_stop;
+};
+
+/// Runs and returns the record that run.json holds at the end. Nothing is written before the scene has been checked.
+/// Throws InputError, RunError or Interrupted; run.json then tells which and why, and every snapshot written stays.
+RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, const RunControl& control);
+
+}  // namespace packstone::engine

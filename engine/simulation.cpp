@@ -1,0 +1,182 @@
+#include "engine/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/bed.hpp"
+#include "core/bed_frame.hpp"
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "engine/filling/growth.hpp"
+#include "engine/history_row.hpp"
+#include "engine/time_step.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr std::int64_t progress_steps = 100;  ///< steps between two reports of progress
+
+Domain checked_domain(const Scene& scene) {
+  const Domain domain = scene.box();
+  double largest_radius = 0;
+  for (const auto& group : scene.particles) largest_radius = std::max(largest_radius, group.radius);
+  const double least = NeighbourList::least_periodic_side(largest_radius);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic[axis] && domain.size()[axis] < least) {
+      scene.fail("domain",
+                 fmt::format("the periodic side along {} is {:.4g} m; particles of radius {:g} m need at least "
+                             "{:.4g} m, so that none meets another twice",
+                             axis_names[axis], domain.size()[axis], largest_radius, least));
+    }
+  }
+  check_growth_volume(scene, domain);
+  return domain;
+}
+
+std::vector<double> flattened(const std::vector<Vec3>& rows) {
+  std::vector<double> values;
+  values.reserve(3 * rows.size());
+  for (const Vec3& v : rows) values.insert(values.end(), {v[0], v[1], v[2]});
+  return values;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene)
+    : scene_(scene),
+      domain_(checked_domain(scene)),
+      planes_(make_planes(scene)),
+      dt_(checked_time_step(scene, warnings_)),
+      particles_(grown_particles(scene, domain_, planes_)),
+      dynamics_(make_newtonian(scene, domain_, planes_)),
+      monitor_(scene_, domain_, dt_) {
+  scene_.dynamics.time_step = dt_;
+  scene_text_ = to_toml(scene_);
+  scene_hash_ = packstone::scene_hash(scene_);
+  steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));
+  for (const auto& [path, interval] : {std::pair{"output.interval", scene.output.interval},
+                                       {"output.history_interval", scene.output.history_interval}}) {
+    if (interval < dt_) scene.fail(path, fmt::format("{:g} s is shorter than the time step, {:g} s", interval, dt_));
+  }
+}
+
+std::int64_t Simulation::steps_in(double interval) const {
+  return std::max<std::int64_t>(1, std::llround(interval / dt_));
+}
+
+void Simulation::account(const StepSums& sums, double share) {
+  account_.dissipated += share * sums.dissipated;
+  account_.growth_work += share * sums.growth_work;
+}
+
+StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
+  const double time = time_at(number);
+  StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit};
+  if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
+  if (number == 0 || dynamics_->neighbours().outdated(largest_displacement_squared_, input.growth)) {
+    monitor_.check_positions(particles_, time);
+    dynamics_->rebuild(particles_, input.growth);
+  }
+  const StepSums sums = dynamics_->advance(particles_, input, recorder);
+  monitor_.check_overlap(sums, particles_, time);
+  largest_displacement_squared_ = sums.largest_displacement_squared;
+  return sums;
+}
+
+void Simulation::run(const SimulationEvents& events) {
+  const std::int64_t snapshot_steps = steps_in(scene_.output.interval);
+  const std::int64_t history_steps = steps_in(scene_.output.history_interval);
+  Recorder recorder;
+  for (std::int64_t number = 0; number <= steps_; ++number) {
+    const bool stop = events.should_stop && events.should_stop();
+    const bool last = stop || number == steps_;
+    const bool want_snapshot = last || number % snapshot_steps == 0;
+    const bool want_history = want_snapshot || number % history_steps == 0;
+    if (want_history) {
+      recorder.want_contacts = want_snapshot && scene_.output.contacts;
+      recorder.velocity.resize(particles_.size());
+      recorder.force.resize(particles_.size());
+      recorder.angular_velocity.resize(rotates(scene_) ? particles_.size() : 0);
+      recorder.contacts = {};
+    }
+    const StepSums sums = step(number, want_history ? &recorder : nullptr);
+    account(sums, 0.5);  // the rates of an instant count half before it and half after
+    if (want_history) record(number, sums, recorder, want_snapshot, events);
+    if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps_, time_at(number));
+    if (stop) throw Interrupted(fmt::format("stopped at t = {:.6g} s, step {}", time_at(number), number));
+    account(sums, 0.5);
+    account_.gravity_work += sums.gravity_work;  // done between this instant and the next
+    std::swap(particles_.now, particles_.next);
+  }
+}
+
+void Simulation::record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
+                        const SimulationEvents& events) {
+  EnergyAccount account = account_;
+  account.kinetic = sums.kinetic_translational + sums.kinetic_rotational;
+  account.elastic = sums.elastic;
+  const double time = time_at(number);
+  monitor_.check_energy(account, time);
+  if (number == steps_) monitor_.check_account(account, warnings_);
+  if (events.history) {
+    const Snapshot bed = geometry(number);
+    const BedFrame frame = bed_frame(bed);
+    double gravitational = 0;
+    const bool acts = scene_.gravity.present && time >= scene_.gravity.start;
+    for (std::size_t i = 0; acts && i < particles_.size(); ++i) {
+      gravitational += frame.height[i] * std::abs(scene_.gravity.acceleration[frame.axis]) / particles_.inverse_mass[i];
+    }
+    events.history(history_columns(),
+                   history_row(number, time, account, sums, gravitational,
+                               measure_bed(frame.height, bed.radius, frame.area), particles_.size()));
+  }
+  if (want_snapshot && events.snapshot) events.snapshot(snapshot(number, recorder));
+}
+
+Snapshot Simulation::geometry(std::int64_t number) const {
+  Snapshot s;
+  s.time = time_at(number);
+  s.step = number;
+  s.domain = domain_;
+  if (scene_.gravity.present) s.gravity = scene_.gravity.acceleration;
+  const double scale = growth_at(scene_, s.time).scale;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    s.position.push_back(domain_.wrapped(particles_.now.position.get(i)));
+    s.radius.push_back(scale * particles_.radius[i]);
+  }
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    s.boundaries.push_back({scene_.boundaries[k].name, "plane", planes_[k].point, planes_[k].normal});
+  }
+  return s;
+}
+
+Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) const {
+  Snapshot s = geometry(number);
+  for (std::size_t i = 0; i < particles_.size(); ++i) s.id.push_back(static_cast<std::int64_t>(i));
+  s.type = particles_.type;
+  s.material.assign(particles_.material.begin(), particles_.material.end());
+  for (const int field : scene_.output.fields) {
+    if (field == output_velocity) s.fields["velocity"] = {3, "m/s", flattened(recorder.velocity)};
+    if (field == output_force) s.fields["force"] = {3, "N", flattened(recorder.force)};
+    if (field == output_angular_velocity) {
+      auto values = flattened(recorder.angular_velocity);
+      values.resize(3 * particles_.size(), 0.0);  // nothing turns without friction
+      s.fields["angular_velocity"] = {3, "rad/s", std::move(values)};
+    }
+  }
+  if (scene_.output.contacts) s.contacts = recorder.contacts;
+  for (const auto& material : scene_.materials) s.material_names.push_back(material.name);
+  for (const auto& group : scene_.particles) {
+    s.groups.push_back({group.name, group.material, scene_.materials[scene_.material_index(group.material)].density});
+  }
+  s.scene_text = scene_text_;
+  s.scene_hash = scene_hash_;
+  s.program = fmt::format("packstone {} (git {})", version(), git_revision());
+  return s;
+}
+
+}  // namespace packstone::engine

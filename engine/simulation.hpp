@@ -1,0 +1,68 @@
+// Drives a scene through time: filling, gravity, steps, recording, monitoring. Knows nothing of files.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+#include "engine/dynamics/step.hpp"
+#include "engine/monitor.hpp"
+
+namespace packstone::engine {
+
+/// What a simulation tells its caller, and asks of it. Each may be empty.
+struct SimulationEvents {
+  std::function<void(const Snapshot&)> snapshot;
+  std::function<void(const std::vector<std::string>& columns, const std::vector<double>& row)> history;
+  /// Called now and then.
+  std::function<void(std::int64_t step, std::int64_t steps, double time)> progress;
+  /// Asked every step; true ends the run after a last snapshot, with Interrupted.
+  std::function<bool()> should_stop;
+};
+
+class Simulation {
+ public:
+  /// Checks what can be known before the run. Throws InputError located in the scene.
+  explicit Simulation(const Scene& scene);
+
+  /// Runs to the scene's end on the threads OpenMP is set to. Throws RunError from the monitor, Interrupted when asked
+  /// to stop. Snapshots have the same bits for any number of threads.
+  void run(const SimulationEvents& events);
+
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The scene as it is run: "auto" replaced by what was chosen.
+  const Scene& scene() const { return scene_; }
+  std::int64_t steps() const { return steps_; }
+  std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
+
+ private:
+  double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
+  std::int64_t steps_in(double interval) const;
+  void account(const StepSums& sums, double share);
+  StepSums step(std::int64_t number, Recorder* recorder);
+  void record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
+              const SimulationEvents& events);
+  Snapshot snapshot(std::int64_t number, const Recorder& recorder) const;
+  /// Position, radius, container: what every snapshot and the bed's measure need.
+  Snapshot geometry(std::int64_t number) const;
+
+  Scene scene_;
+  Domain domain_;
+  std::string scene_text_;
+  std::string scene_hash_;
+  std::vector<Plane> planes_;
+  std::vector<std::string> warnings_;
+  double dt_ = 0;
+  std::int64_t steps_ = 0;
+  Particles particles_;
+  std::unique_ptr<Dynamics> dynamics_;
+  Monitor monitor_;
+  EnergyAccount account_;  ///< what has passed through up to the step's beginning
+  double largest_displacement_squared_ = 0;
+};
+
+}  // namespace packstone::engine

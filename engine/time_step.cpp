@@ -1,0 +1,84 @@
+#include "engine/time_step.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/geometry.hpp"
+#include "engine/contact/collision.hpp"
+#include "engine/contact/pair_table.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr double packing_share = 0.17;  ///< of sqrt(m/k), for a sphere with many contacts
+
+std::string in_microseconds(double seconds) { return fmt::format("{:.3g} us", seconds * 1e6); }
+
+struct Candidate {
+  const MaterialSpec* a;
+  const MaterialSpec* b;
+  double effective_mass;
+  std::string pair;
+};
+
+std::vector<Candidate> candidates(const Scene& s) {
+  std::vector<Candidate> result;
+  const auto material = [&](const std::string& name) { return &s.materials[s.material_index(name)]; };
+  const auto mass = [&](const GroupSpec& g) { return material(g.material)->density * sphere_volume(g.radius); };
+  for (const auto& g : s.particles) {
+    for (const auto& h : s.particles) {
+      result.push_back({material(g.material), material(h.material), mass(g) * mass(h) / (mass(g) + mass(h)),
+                        g.name + " - " + h.name});
+    }
+    for (const auto& b : s.boundaries) {
+      result.push_back({material(g.material), material(b.material), mass(g), g.name + " - " + b.name});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+StepLimit step_limit(const Scene& scene) {
+  StepLimit tightest;
+  tightest.limit = std::numeric_limits<double>::infinity();
+  for (const auto& c : candidates(scene)) {
+    const double stiffness = largest_stiffness(scene, *c.a, *c.b);
+    const double limit = 2 / std::sqrt(stiffness / c.effective_mass);
+    if (limit >= tightest.limit) continue;
+    const double spring = in_series(c.a->normal_stiffness, c.b->normal_stiffness);
+    tightest = {limit,
+                packing_share * std::sqrt(2 * c.effective_mass / spring),
+                undamped_contact_time(spring, c.effective_mass),
+                stiffness,
+                c.effective_mass,
+                c.pair};
+  }
+  return tightest;
+}
+
+double checked_time_step(const Scene& scene, std::vector<std::string>& warnings) {
+  const StepLimit limit = step_limit(scene);
+  if (!scene.dynamics.time_step) return limit.recommended;
+  const double dt = *scene.dynamics.time_step;
+  if (dt > limit.limit) {
+    scene.fail("dynamics.time_step",
+               fmt::format("{} is beyond the stability limit 2/omega = {} of the contact {} (k = {:.4g} N/m, m_eff = "
+                           "{:.4g} kg); take at most {}",
+                           in_microseconds(dt), in_microseconds(limit.limit), limit.pair, limit.stiffness,
+                           limit.effective_mass, in_microseconds(limit.recommended)));
+  }
+  if (dt > limit.recommended) {
+    warnings.push_back(fmt::format(
+        "dynamics.time_step: {} is {:.1f} steps in the contact {} ({} long); {} or less is recommended in a packing, "
+        "and results may depend on the step",
+        in_microseconds(dt), limit.contact_time / dt, limit.pair, in_microseconds(limit.contact_time),
+        in_microseconds(limit.recommended)));
+  }
+  return dt;
+}
+
+}  // namespace packstone::engine

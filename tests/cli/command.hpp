@@ -1,0 +1,29 @@
+// Runs the built command as a user would.
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include <sys/wait.h>
+
+namespace packstone::testing {
+
+struct Result {
+  int exit_code = -1;
+  std::string output;  ///< standard output and standard error together
+};
+
+/// arguments as a shell would take them; environment goes before the command.
+inline Result packstone_command(const std::string& arguments, const std::string& environment = "") {
+  const std::string line = environment + " " + PACKSTONE_COMMAND + " " + arguments + " 2>&1";
+  FILE* pipe = popen(line.c_str(), "r");
+  Result result;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe)) result.output += buffer.data();
+  const int status = pclose(pipe);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+}  // namespace packstone::testing

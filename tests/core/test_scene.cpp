@@ -1,0 +1,132 @@
+#include <catch2/catch.hpp>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/geometry.hpp"
+#include "core/scene.hpp"
+#include "tests/sample_scene.hpp"
+
+using namespace packstone;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using testing::small_scene;
+using testing::small_scene_with;
+
+namespace {
+
+/// The message that a change of the small scene brings.
+std::string error_after(const std::string& from, const std::string& to, const std::vector<std::string>& set = {}) {
+  try {
+    parse_scene(from.empty() ? small_scene : small_scene_with(from, to), "s.toml", set);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a scene is read in SI with its defaults") {
+  const Scene s = parse_scene(small_scene, "s.toml");
+  CHECK(s.title == "Small");
+  CHECK(s.dynamics.time_step == Approx(20e-6));
+  CHECK(s.particles.at(1).radius == Approx(0.02));
+  CHECK(s.particles.at(1).name == "heavy");
+  CHECK(s.boundaries.at(0).material == "light");
+  CHECK(s.contact.tangential == TangentialModel::none);
+  CHECK(s.gravity.present);
+  CHECK(s.domain.open == std::vector<int>{Face::z_max});
+  CHECK(s.output.history_interval == Approx(1e-3));
+  CHECK(s.box().periodic == std::array<bool, 3>{true, true, false});
+}
+
+TEST_CASE("a box can follow from the particles' volume") {
+  const Scene s = parse_scene(
+      small_scene_with("min = [0, 0, 0]\nmax = [0.2, 0.2, 0.4]", "volume_factor = 2\naspect = [1, 1, 2]"), "s.toml");
+  const Vec3 size = s.box().size();
+  CHECK(size.prod() == Approx(2 * 120 * sphere_volume(0.02)));
+  CHECK(size[0] == Approx(size[1]));
+  CHECK(size[2] == Approx(2 * size[0]));
+}
+
+TEST_CASE("the filled-in scene reads back as the same scene") {
+  const Scene s = parse_scene(small_scene, "s.toml");
+  const std::string text = to_toml(s);
+  const Scene again = parse_scene(text, "again.toml");
+  CHECK(to_toml(again) == text);
+  CHECK(scene_hash(again) == scene_hash(s));
+  CHECK(scene_hash(parse_scene(small_scene, "s.toml", {"seed=4"})) != scene_hash(s));
+}
+
+TEST_CASE("titles with quotes, backslashes and control characters survive") {
+  const std::string title = "a \"b\" \\ \xc3\xa9 \t end";
+  Scene s = parse_scene(small_scene, "s.toml");
+  s.title = title;
+  CHECK(parse_scene(to_toml(s), "t.toml").title == title);
+}
+
+TEST_CASE("a key can be overridden from the command line") {
+  const Scene s =
+      parse_scene(small_scene, "s.toml",
+                  {"dynamics.time_step=30 us", "particles[0].count=7", "title=\"Other\"", "monitor.overlap_limit=0.1"});
+  CHECK(s.dynamics.time_step == Approx(30e-6));
+  CHECK(s.particles[0].count == 7);
+  CHECK(s.title == "Other");
+  CHECK(s.monitor.overlap_limit == 0.1);
+  CHECK_THAT(error_after("", "", {"dynamics.timestep=1"}),
+             StartsWith("--set dynamics.timestep=1: dynamics.timestep: unknown key") && Contains("time_step"));
+  CHECK_THAT(error_after("", "", {"dynamics.time_step=-1"}), StartsWith("--set dynamics.time_step=-1: "));
+  CHECK_THAT(error_after("", "", {"particles[5].count=1"}), Contains("no entry [5]"));
+  CHECK_THAT(error_after("", "", {"nonsense"}), Contains("KEY=VALUE"));
+}
+
+TEST_CASE("a wrong key is one line: file, line, column, key, what is right") {
+  CHECK_THAT(error_after("duration = \"80 ms\"", "durtion = \"80 ms\""),
+             StartsWith("s.toml:5:1: dynamics.durtion: unknown key; did you mean \"duration\"?"));
+  CHECK_THAT(error_after("duration = \"80 ms\"\n", ""), StartsWith("s.toml:3:2: dynamics.duration: is missing"));
+  CHECK_THAT(error_after("start = \"40 ms\"", "strat = \"40 ms\""),
+             StartsWith("s.toml:13:1: gravity.strat: unknown key; did you mean \"start\"?"));
+  CHECK_THAT(error_after("radius = \"20 mm\"", "radius = -0.02"),
+             StartsWith("s.toml:29:1: particles[0].radius: -0.02 m is out of range; it must be greater than 0"));
+  CHECK_THAT(error_after("material = \"light\"", "material = \"ligth\""),
+             StartsWith("s.toml:27:1: particles[0].material: no material \"ligth\"; did you mean \"light\"?"));
+  CHECK_THAT(error_after("normal = \"hysteretic\"", "normal = \"hysteric\""),
+             StartsWith("s.toml:15:1: contact.normal: \"hysteric\" is unknown; did you mean \"hysteretic\"?"));
+  CHECK_THAT(error_after("duration = \"80 ms\"", "duration = \"20 mm\""), Contains("wrong dimension"));
+  CHECK_THAT(error_after("density = 1200", "density = true"), Contains("expected a number in kg/m3"));
+  CHECK_THAT(error_after("count = 60", "count = 1.5"), Contains("whole number"));
+  CHECK_THAT(error_after("count = 60", "count = 0"), Contains("at least 1"));
+  CHECK_THAT(error_after("max = [0.2, 0.2, 0.4]", "max = [0.2, 0.2]"), Contains("three numbers"));
+  CHECK_THAT(error_after("seed = 3", "seed = 3\nseed = 4"), StartsWith("s.toml:3:") && Contains("not valid TOML"));
+  CHECK_THAT(error_after("[output]", "[outptu]"), Contains("outptu: unknown key; did you mean \"output\"?"));
+  CHECK_THAT(error_after("[[boundary]]", "[boundary]"), Contains("expected tables, [[boundary]]"));
+}
+
+TEST_CASE("keys are checked against each other") {
+  CHECK_THAT(error_after("max = [0.2, 0.2, 0.4]\n", ""), Contains("either min and max, or volume_factor"));
+  CHECK_THAT(error_after("max = [0.2, 0.2, 0.4]", "max = [0.2, -0.2, 0.4]"), Contains("must lie above"));
+  CHECK_THAT(error_after("open = [\"z+\"]", "open = [\"x+\"]"), Contains("periodic side"));
+  CHECK_THAT(error_after("normal_damping = 0.7", "normal_damping = 1"), Contains("would pull on unloading"));
+  CHECK_THAT(error_after("normal_damping = 0.7", "restitution = 0.5\nnormal_damping = 0.7"), Contains("keep one"));
+  CHECK_THAT(error_after("normal_damping = 0.7\n", ""), Contains("needs normal_damping or restitution"));
+  CHECK_THAT(error_after("normal = [0, 0, 1]", "normal = [0, 0, 0]"), Contains("has no length"));
+  CHECK_THAT(error_after("name = \"heavy\"", "name = \"light\""), Contains("its own name"));
+  CHECK_THAT(error_after("normal = \"hysteretic\"", "normal = \"hysteretic\"\ntangential = \"cundall-strack\""),
+             Contains("needs tangential_stiffness"));
+  const Scene s = parse_scene(small_scene, "s.toml");
+  std::string text = to_toml(s);
+  for (auto [from, to] : {std::pair{"normal = \"hysteretic\"", "normal = \"linear\""},
+                          {"zero-overlap", "zero-force"},
+                          {"normal_damping = 0.7", "restitution = 0.1"}}) {
+    text.replace(text.find(from), std::string(from).size(), to);
+  }
+  CHECK_THROWS_WITH(parse_scene(text, "s.toml"), Contains("cannot be reached with contact.release"));
+}
+
+TEST_CASE("docs/scene.md is what the program says of its keys") {
+  CHECK(read_text_file(std::string(PACKSTONE_SOURCE_DIR) + "/docs/scene.md") == scene_reference_markdown());
+}
+
+TEST_CASE("a scene that does not exist is named") {
+  CHECK_THROWS_WITH(read_scene("/no/such/scene.toml"), Contains("/no/such/scene.toml: no such file"));
+}

@@ -1,0 +1,138 @@
+// Friction against textbook motions of a sphere on a plane, and its bookkeeping.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "core/random.hpp"
+#include "engine/contact/cundall_strack.hpp"
+#include "hand_made.hpp"
+
+using namespace packstone;
+using namespace packstone::engine;
+using engine::testing::contact_scene;
+using engine::testing::HandMade;
+using engine::testing::Sphere;
+
+namespace {
+
+Scene friction_scene(double friction, bool floor) {
+  return contact_scene("normal = \"linear\"\ntangential = \"cundall-strack\"",
+                       "normal_damping = 5\ntangential_stiffness = 1e6\nfriction = " + std::to_string(friction), floor);
+}
+
+/// Height at which a sphere rests on the floor.
+double resting_height(const Vec3& gravity) {
+  const double mass = 1200 * 4.0 / 3.0 * M_PI * std::pow(0.02, 3);
+  return 0.02 - mass * std::abs(gravity.z()) / 1e6;
+}
+
+}  // namespace
+
+TEST_CASE("a sliding sphere slows by mu g, then rolls at five sevenths of its speed") {
+  const double mu = 0.3, g = 9.8, v0 = 0.5;
+  HandMade ball(friction_scene(mu, true), {{Vec3(0.3, 0.5, resting_height(Vec3(0, 0, -g))), Vec3(v0, 0, 0)}}, 1e-5);
+  ball.input.gravity = Vec3(0, 0, -g);
+  const double rolling_from = 2 * v0 / (7 * mu * g);
+  auto run_to = [&, n = 0](double time) mutable {
+    for (; n * 1e-5 < time; ++n) ball.step();
+  };
+  run_to(0.5 * rolling_from);
+  CHECK(ball.velocity(0).x() == Approx(v0 - mu * g * 0.5 * rolling_from).epsilon(2e-3));
+  run_to(3 * rolling_from);
+  CHECK(ball.velocity(0).x() == Approx(5.0 / 7.0 * v0).epsilon(2e-3));
+  CHECK(ball.particles.half_angular_velocity.y[0] * 0.02 == Approx(5.0 / 7.0 * v0).epsilon(2e-3));
+}
+
+TEST_CASE("a sphere rolls down a slope at five sevenths of g sin(theta), slides with little friction") {
+  const double theta = 0.4, g = 9.8;
+  const Vec3 gravity(g * std::sin(theta), 0, -g * std::cos(theta));
+  const auto acceleration = [&](double mu) {
+    HandMade ball(friction_scene(mu, true), {{Vec3(0.2, 0.5, resting_height(gravity))}}, 1e-5);
+    ball.input.gravity = gravity;
+    for (int n = 0; n < 20000; ++n) ball.step();
+    return ball.velocity(0).x() / 0.2;
+  };
+  CHECK(acceleration(0.5) == Approx(5.0 / 7.0 * g * std::sin(theta)).epsilon(3e-3));
+  // Below mu = 2/7 tan(theta) the contact slides.
+  CHECK(acceleration(0.05) == Approx(g * (std::sin(theta) - 0.05 * std::cos(theta))).epsilon(3e-3));
+}
+
+TEST_CASE("swapping the bodies gives exactly the opposite force") {
+  const CundallStrack::Pair pair{1e6, 0.4};
+  for (std::uint64_t trial = 0; trial < 200; ++trial) {
+    Random r(1, RandomStream::filling_position, trial);
+    const auto vector = [&] { return Vec3(r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)); };
+    const Vec3 n = vector().normalized();
+    const Vec3 spring = 1e-5 * vector();
+    Vec3 velocity = vector();
+    velocity -= velocity.dot(n) * n;
+    Vec3 a = spring, b = -spring;
+    const auto there = CundallStrack::advance(pair, a, n, velocity, 20, 1e-5);
+    const auto back = CundallStrack::advance(pair, b, -n, -velocity, 20, 1e-5);
+    REQUIRE(there.force == -back.force);
+    REQUIRE(a == -b);
+    REQUIRE(there.force.norm() <= 0.4 * 20 * (1 + 1e-12));
+    REQUIRE(std::abs(there.force.dot(n)) < 1e-9);
+  }
+}
+
+TEST_CASE("friction turns slip into heat and no more") {
+  const CundallStrack::Pair pair{1e6, 0.5};
+  Vec3 spring = Vec3::Zero();
+  const Vec3 n(0, 0, 1), velocity(0.1, 0, 0);
+  double work = 0, heat = 0, stored = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto f = CundallStrack::advance(pair, spring, n, velocity, 10, 1e-6);
+    work -= f.force.dot(velocity) * 1e-6;
+    heat += f.dissipated;
+    stored = f.elastic;
+  }
+  CHECK(heat > 0);
+  CHECK(work == Approx(heat + stored).epsilon(1e-3));
+}
+
+TEST_CASE("an oblique collision keeps momentum exactly and angular momentum to the overlap's share of the radius") {
+  HandMade pair(friction_scene(0.3, false),
+                {{Vec3(0.4, 0.5, 0.5), Vec3(1, 0.3, 0)}, {Vec3(0.4405, 0.51, 0.5), Vec3(-1, 0, 0.2)}}, 1e-7);
+  const auto angular = [&] {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 2; ++i) {
+      sum += pair.mass(i) * pair.particles.now.position.get(i).cross(pair.velocity(i));
+      sum += pair.particles.half_angular_velocity.get(i) / pair.particles.inverse_inertia[i];
+    }
+    return sum;
+  };
+  const Vec3 momentum = pair.momentum(), spin = angular();
+  for (int n = 0; n < 20000; ++n) pair.step();
+  CHECK((pair.velocity(0) - Vec3(1, 0.3, 0)).norm() > 0.5);
+  CHECK(pair.particles.half_angular_velocity.get(0).norm() > 1);
+  CHECK((pair.momentum() - momentum).norm() < 1e-13);
+  const double orbital = pair.mass(0) * 0.04 * 2;
+  CHECK((angular() - spin).norm() < 0.01 * orbital);
+}
+
+TEST_CASE("rebuilding the list keeps the contact's history to the bit") {
+  // Two spheres rub in a corner of the box; far away a third one races and forces rebuilds.
+  const Scene scene = friction_scene(0.4, false);
+  const std::vector<Sphere> pair = {{Vec3(0.1, 0.1, 0.1), Vec3(0.05, 0.03, 0)},
+                                    {Vec3(0.1398, 0.1, 0.1), Vec3(-0.05, 0, 0)}};
+  std::vector<Sphere> with_racer = pair;
+  with_racer.push_back({Vec3(0.5, 0.5, 0.5), Vec3(40, 0, 0)});
+  HandMade quiet(scene, pair, 1e-6), busy(scene, with_racer, 1e-6);
+  for (int n = 0; n < 400; ++n) {
+    quiet.step();
+    busy.step();
+  }
+  CHECK(quiet.dynamics->neighbours().builds() == 1);
+  CHECK(busy.dynamics->neighbours().builds() > 5);
+  CHECK(quiet.particles.half_angular_velocity.get(0).norm() > 0);
+  CHECK(quiet.particles.now.position.get(0) == busy.particles.now.position.get(0));
+  CHECK(quiet.particles.half_angular_velocity.get(0) == busy.particles.half_angular_velocity.get(0));
+}
+
+TEST_CASE("without friction nothing turns and nothing is kept") {
+  Scene scene = friction_scene(0.0, true);
+  CHECK_FALSE(rotates(scene));
+  scene = friction_scene(0.1, true);
+  CHECK(rotates(scene));
+}

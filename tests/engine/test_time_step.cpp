@@ -1,0 +1,50 @@
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "core/error.hpp"
+#include "engine/time_step.hpp"
+#include "tests/sample_scene.hpp"
+
+using namespace packstone;
+using namespace packstone::engine;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const double light_mass = 1200 * 4.0 / 3.0 * std::numbers::pi * std::pow(0.02, 3);
+
+Scene scene_with_step(const std::string& step) {
+  return parse_scene(testing::small_scene, "s.toml", {"dynamics.time_step=" + step});
+}
+
+}  // namespace
+
+TEST_CASE("the limit is 2/omega of the stiffest contact of the lightest pair") {
+  const StepLimit limit = step_limit(scene_with_step("1 us"));
+  // Hysteretic loading is on k (1 + g).
+  CHECK(limit.limit == Approx(2 * std::sqrt(0.5 * light_mass / (1e6 * 1.7))));
+  CHECK(limit.contact_time == Approx(std::numbers::pi * std::sqrt(0.5 * light_mass / 1e6)));
+  CHECK(limit.recommended == Approx(0.17 * std::sqrt(light_mass / 1e6)));
+  CHECK(limit.pair == "light - light");
+}
+
+TEST_CASE("a step beyond the limit is refused, one beyond the recommended one warned of, a good one passes") {
+  std::vector<std::string> warnings;
+  CHECK_THROWS_WITH(checked_time_step(scene_with_step("400 us"), warnings),
+                    Contains("dynamics.time_step") && Contains("2/omega") && Contains("light - light"));
+  CHECK(warnings.empty());
+  CHECK(checked_time_step(scene_with_step("100 us"), warnings) == Approx(1e-4));
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Contains("34.1 us or less is recommended"));
+  warnings.clear();
+  CHECK(checked_time_step(scene_with_step("30 us"), warnings) == Approx(3e-5));
+  CHECK(warnings.empty());
+}
+
+TEST_CASE("auto takes the recommended step") {
+  std::vector<std::string> warnings;
+  const Scene scene = scene_with_step("auto");
+  CHECK(checked_time_step(scene, warnings) == step_limit(scene).recommended);
+}
