@@ -9,6 +9,7 @@
 
 #include "analysis/measures.hpp"
 #include "analysis/writers.hpp"
+#include "cli/comparison.hpp"
 #include "cli/progress.hpp"
 #include "cli/selection.hpp"
 #include "cli/verbs.hpp"
@@ -20,7 +21,7 @@ namespace packstone::cli {
 namespace {
 
 struct AnalyzeOptions {
-  std::filesystem::path path;
+  std::vector<std::filesystem::path> paths;
   std::vector<std::string> only;
   std::string at = "last";
   std::filesystem::path json;
@@ -30,42 +31,64 @@ struct AnalyzeOptions {
   bool quiet = false;
 };
 
-void write_outputs(const AnalyzeOptions& options, const std::vector<analysis::TimedResults>& series) {
-  const bool single = options.at != "all";
-  const auto json = single ? analysis::to_json(series.front().results) : analysis::to_json(series);
-  if (options.json == "-") {
+void put_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+  if (path == "-") {
     fmt::print("{}\n", json.dump(2));
-  } else if (!options.json.empty()) {
-    analysis::write_json(options.json, json);
+  } else if (!path.empty()) {
+    analysis::write_json(path, json);
   }
-  if (options.csv.empty()) return;
-  if (single) {
-    analysis::write_csv(options.csv, series.front().results);
-  } else {
-    analysis::write_csv(options.csv, series);
+}
+
+std::vector<analysis::TimedResults> measured(const RunReader& run, const AnalyzeOptions& options) {
+  const auto selected = selected_snapshots(run, options.at);
+  Progress progress("snapshots", options.quiet || selected.size() == 1);
+  std::vector<analysis::TimedResults> series;
+  for (const std::size_t index : selected) {
+    const Snapshot snapshot = run.snapshot(index);
+    series.push_back({snapshot.time, snapshot.step, analysis::analyze(snapshot, options.only, options.measure)});
+    progress.update(static_cast<std::int64_t>(series.size()), static_cast<std::int64_t>(selected.size()));
   }
+  return series;
+}
+
+void analyze_one(const AnalyzeOptions& options) {
+  const RunReader run(options.paths.front());
+  const auto series = measured(run, options);
+  const bool whole_series = options.at == "all";
+  put_json(options.json, whole_series ? analysis::to_json(series) : analysis::to_json(series.front().results));
+  if (!options.csv.empty() && whole_series) analysis::write_csv(options.csv, series);
+  if (!options.csv.empty() && !whole_series) analysis::write_csv(options.csv, series.front().results);
+  if (options.quiet || options.json == "-") return;
+  fmt::print("{}  t = {:g} s\n\n{}", run.path().string(), series.back().time, analysis::to_text(series.back().results));
+}
+
+void analyze_several(const AnalyzeOptions& options) {
+  if (options.at == "all") throw InputError("--at all takes one run; several runs are compared at one instant each");
+  if (!options.csv.empty()) throw InputError("--csv takes one run; several runs are compared as text or --json");
+  std::vector<std::string> labels;
+  std::vector<std::vector<analysis::MeasureResult>> results;
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& path : options.paths) {
+    const RunReader run(path);
+    const auto instant = measured(run, options).front();
+    labels.push_back(fmt::format("{}, t = {:g} s", path.string(), instant.time));
+    results.push_back(instant.results);
+    json.push_back({{"path", path.string()}, {"measures", analysis::to_json(instant.results)}});
+  }
+  put_json(options.json, json);
+  if (!options.quiet && options.json != "-") fmt::print("{}", to_markdown(compare(labels, results)));
 }
 
 void analyze(const AnalyzeOptions& options) {
   if (options.list) {
     for (const auto& measure : analysis::all_measures()) fmt::print("{:<14}{}\n", measure.name, measure.description);
-    return;
+  } else if (options.paths.empty()) {
+    throw InputError("analyze: name a run folder or a snapshot");
+  } else if (options.paths.size() == 1) {
+    analyze_one(options);
+  } else {
+    analyze_several(options);
   }
-  if (options.path.empty()) throw InputError("analyze: name a run folder or a snapshot");
-  const RunReader run(options.path);
-  const auto selected = selected_snapshots(run, options.at);
-  std::vector<analysis::TimedResults> series;
-  {
-    Progress progress("snapshots", options.quiet || selected.size() == 1);
-    for (const std::size_t index : selected) {
-      const Snapshot snapshot = run.snapshot(index);
-      series.push_back({snapshot.time, snapshot.step, analysis::analyze(snapshot, options.only, options.measure)});
-      progress.update(static_cast<std::int64_t>(series.size()), static_cast<std::int64_t>(selected.size()));
-    }
-  }
-  write_outputs(options, series);
-  if (options.quiet || options.json == "-") return;
-  fmt::print("{}  t = {:g} s\n\n{}", run.path().string(), series.back().time, analysis::to_text(series.back().results));
 }
 
 }  // namespace
@@ -73,7 +96,7 @@ void analyze(const AnalyzeOptions& options) {
 void add_analyze(CLI::App& app) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
-  verb->add_option("path", options->path, "Run folder or snapshot");
+  verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
   verb->add_option("--only", options->only, "Measures to take, by comma; see --list")->delimiter(',');
   verb->add_option("--at", options->at, "last, first, all, a number, or t=SECONDS")->capture_default_str();
   verb->add_option("--json", options->json, "Write JSON to a file; - for standard output");

@@ -1,0 +1,65 @@
+// packstone plot: charts of one or several runs.
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/charts.hpp"
+#include "cli/pictures.hpp"
+#include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "viz/save_drawing.hpp"
+
+namespace packstone::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlotOptions {
+  std::vector<fs::path> paths;
+  std::vector<std::string> what;
+  fs::path output;
+  std::string size = "1600x1000";
+};
+
+/// The file itself for one chart; for several, a folder that gets NAME.png each.
+fs::path chart_file(const PlotOptions& options, const std::string& name) {
+  if (options.what.size() == 1 && options.output.has_extension()) return options.output;
+  if (options.output.has_extension()) {
+    throw InputError(options.output.string() + ": several charts go into a folder; name one with -o");
+  }
+  std::error_code error;
+  fs::create_directories(options.output, error);
+  if (error) throw InputError(options.output.string() + ": cannot be made: " + error.message());
+  return options.output / (name + ".png");
+}
+
+void plot(const PlotOptions& options) {
+  std::vector<RunReader> runs;
+  for (const auto& path : options.paths) runs.emplace_back(path);
+  const auto [width, height] = picture_size(options.size);
+  for (const std::string& name : options.what) {
+    viz::Chart chart = make_chart(name, runs);
+    chart.options.width = width;
+    chart.options.height = height;
+    viz::save_drawing(chart_file(options, name), viz::chart_drawing(chart), chart.options.supersampling,
+                      chart.options.title);
+  }
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app) {
+  auto options = std::make_shared<PlotOptions>();
+  CLI::App* verb = app.add_subcommand("plot", "Draw charts over time and over height, of one or several runs");
+  verb->add_option("paths", options->paths, "Run folders")->required();
+  verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))->delimiter(',')->required();
+  verb->add_option("-o,--output", options->output, "x.png or x.svg; a folder for several charts")->required();
+  verb->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  verb->callback([options] { plot(*options); });
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,52 @@
+// packstone slice: the discs in which a plane cuts a packing.
+
+#include "viz/slice.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/pictures.hpp"
+#include "cli/verbs.hpp"
+#include "core/run_folder.hpp"
+#include "viz/save_drawing.hpp"
+
+namespace packstone::cli {
+
+namespace {
+
+struct SliceCall {
+  std::filesystem::path path;
+  std::filesystem::path output;
+  std::string plane;
+  std::string at = "last";
+  PictureCall picture;
+};
+
+void slice(const SliceCall& call) {
+  const RunReader run(call.path);
+  const Snapshot snapshot = run.snapshot(run.index_at(call.at));
+  viz::SliceOptions options;
+  std::tie(options.width, options.height) = picture_size(call.picture.size);
+  options.supersampling = call.picture.supersampling;
+  options.color = call.picture.color;
+  options.range = colour_range(call.picture.range);
+  options.title = picture_title(run, call.picture.title);
+  viz::save_drawing(call.output, viz::slice_drawing(snapshot, viz::plane_from_text(call.plane), options),
+                    options.supersampling, options.title, provenance(run, snapshot));
+}
+
+}  // namespace
+
+void add_slice(CLI::App& app) {
+  auto call = std::make_shared<SliceCall>();
+  call->picture.size = "1600x1200";
+  CLI::App* verb = app.add_subcommand("slice", "Draw the true cut of a plane through the packing");
+  verb->add_option("path", call->path, "Run folder or snapshot")->required();
+  verb->add_option("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"")->required();
+  verb->add_option("-o,--output", call->output, "x.png or x.svg")->required();
+  verb->add_option("--at", call->at, "last, first, a number, or t=SECONDS")->capture_default_str();
+  add_picture_options(*verb, call->picture);
+  verb->callback([call] { slice(*call); });
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,92 @@
+// The picture verbs from the outside: what they write, and one line for each wrong call.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "command.hpp"
+#include "core/files.hpp"
+#include "tests/sample_scene.hpp"
+#include "tests/temporary_folder.hpp"
+
+using namespace packstone;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using testing::packstone_command;
+using testing::TemporaryFolder;
+
+namespace {
+
+struct Run {
+  TemporaryFolder folder;
+  std::string path;
+
+  Run() {
+    std::ofstream(folder / "scene.toml") << testing::small_scene;
+    path = (folder / "run").string();
+    REQUIRE(packstone_command("run " + (folder / "scene.toml").string() + " --quiet -o " + path).exit_code == 0);
+  }
+  std::string out(const std::string& name) const { return " -o " + (folder / name).string(); }
+};
+
+bool is_png(const std::filesystem::path& path) {
+  return std::filesystem::exists(path) && read_text_file(path).substr(1, 3) == "PNG";
+}
+
+}  // namespace
+
+TEST_CASE("pictures, a film, a slice, charts and a report come out without a display") {
+  const Run run;
+  const std::string small = " --size 320x240 --supersampling 1";
+  const auto done = [&](const std::string& call, const std::string& environment) {
+    const auto result = packstone_command(call, environment);
+    INFO(call << "\n" << result.output);
+    CHECK(result.exit_code == 0);
+  };
+  done("render " + run.path + run.out("a.png") + small, "env -u DISPLAY");
+  done("render " + run.path + run.out("b.png") + small, "DISPLAY=nowhere:7");
+  CHECK(is_png(run.folder / "a.png"));
+  CHECK((read_text_file(run.folder / "a.png") == read_text_file(run.folder / "b.png")));
+  done("render " + run.path + run.out("speed.png") + small + " --color speed --camera top --at t=0.04", "");
+  CHECK(is_png(run.folder / "speed.png"));
+  done("render " + run.path + run.out("frames") + small + " --quiet --frames 0:4:2", "");
+  CHECK(is_png(run.folder / "frames/frame_000002.png"));
+  CHECK_FALSE(std::filesystem::exists(run.folder / "frames/frame_000001.png"));
+  done("render " + run.path + run.out("film.mp4") + small + " --quiet", "");
+  CHECK(std::filesystem::file_size(run.folder / "film.mp4") > 1000);
+  done("slice " + run.path + run.out("cut.svg") + small + " --plane z=20mm", "");
+  CHECK_THAT(read_text_file(run.folder / "cut.svg"), Contains("<svg") && Contains("<circle"));
+  done("plot " + run.path + " --what energy,profile" + run.out("plots"), "");
+  CHECK(is_png(run.folder / "plots/energy.png"));
+  CHECK(is_png(run.folder / "plots/profile.png"));
+  done("report " + run.path + run.out("report.html"), "");
+  const std::string page = read_text_file(run.folder / "report.html");
+  CHECK_THAT(page, Contains("kinetic energy"));
+  CHECK_THAT(page, Contains("data:image/png;base64,") && !Contains("<script") && !Contains("src=\"http"));
+  done("report " + run.path + " " + run.path + run.out("both.html"), "");
+}
+
+TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
+  const Run run;
+  for (const std::string& call :
+       {"render " + run.path + run.out("x.png") + " --color sped", "render " + run.path + run.out("x.jpg"),
+        "render " + run.path + run.out("x.png") + " --at 99", "render " + run.path + run.out("x.png") + " --size 10",
+        "render " + run.path + run.out("x.png") + " --camera side",
+        "render " + run.path + run.out("x.png") + " --frames 0:2",
+        "render " + run.path + run.out("x.mp4") + " --size 321x240",
+        "render " + run.path + run.out("x.mp4") + " --frames 4:1",
+        "render " + run.path + run.out("x.png") + " --size 20000x100",
+        "slice " + run.path + run.out("x.png") + " --plane w=1", "slice " + run.path + run.out("x.png") + " --plane z=9",
+        "plot " + run.path + run.out("x.png") + " --what enrgy", "report " + run.path + run.out("x.pdf"),
+        "render /no/such/run" + run.out("x.png")}) {
+    const auto result = packstone_command(call);
+    INFO(call << "\n" << result.output);
+    CHECK(result.exit_code == 2);
+    CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
+    CHECK_THAT(result.output, StartsWith("packstone: error: "));
+    for (const char* name : {"x.png", "x.mp4", "x.jpg", "x.pdf"}) CHECK_FALSE(std::filesystem::exists(run.folder / name));
+  }
+  const auto unwritable = packstone_command("render " + run.path + " -o /proc/x.png --size 64x64");
+  CHECK(unwritable.exit_code != 0);
+  CHECK(std::count(unwritable.output.begin(), unwritable.output.end(), '\n') == 1);
+}

@@ -1,0 +1,50 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "core/error.hpp"
+#include "tests/viz/packings.hpp"
+#include "viz/colouring.hpp"
+
+using namespace packstone;
+using namespace packstone::viz;
+using Catch::Matchers::Contains;
+
+TEST_CASE("categories take the palette and name the groups") {
+  const Snapshot snapshot = testing::layered_packing(1);
+  const Colouring colouring = colour_particles(snapshot, "type", std::nullopt);
+  REQUIRE(colouring.entries.size() == 2);
+  CHECK(colouring.entries[0].name == "light");
+  CHECK(colouring.colours.front() == category_colour(1));
+  CHECK(colouring.colours.back() == category_colour(0));
+  CHECK(category_colour(0) != category_colour(1));
+}
+
+TEST_CASE("a vector field counts by its magnitude, over its own range or the given one") {
+  const Snapshot snapshot = testing::layered_packing(1);
+  const auto range = value_range(snapshot, "speed");
+  REQUIRE(range);
+  CHECK(range->first == Approx(0).margin(1e-12));
+  CHECK(range->second == Approx(3));
+  CHECK(value_range(snapshot, "velocity") == range);
+  const Colouring own = colour_particles(snapshot, "speed", std::nullopt);
+  CHECK(own.title == "speed [m/s]");
+  CHECK(own.colours.front() == sequential_colour(0));
+  CHECK(own.colours.back() == sequential_colour(1));
+  const Colouring wide = colour_particles(snapshot, "speed", ValueRange{0, 6});
+  CHECK(wide.colours.back() == sequential_colour(0.5));
+}
+
+TEST_CASE("a value that is no number has a colour of its own") {
+  Snapshot snapshot = testing::single_sphere(0.1);
+  snapshot.fields["stress"] = {1, "Pa", {std::nan("")}};
+  CHECK(colour_particles(snapshot, "stress", std::nullopt).colours.front() == no_value);
+}
+
+TEST_CASE("a missing field is refused with the names there are") {
+  const Snapshot snapshot = testing::layered_packing(1);
+  CHECK_THROWS_AS(colour_particles(snapshot, "velocty", std::nullopt), InputError);
+  CHECK_THROWS_WITH(colour_particles(snapshot, "velocty", std::nullopt),
+                    Contains("type, material, radius, speed, velocity") && Contains("did you mean 'velocity'?"));
+  CHECK_THROWS_AS(colour_particles(snapshot, "speed", ValueRange{1, 1}), InputError);
+}

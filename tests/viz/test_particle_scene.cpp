@@ -1,0 +1,189 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "core/error.hpp"
+#include "tests/viz/packings.hpp"
+#include "viz/annotation.hpp"
+#include "viz/container.hpp"
+#include "viz/image.hpp"
+#include "viz/particle_scene.hpp"
+
+using namespace packstone;
+using namespace packstone::viz;
+
+namespace {
+
+/// Only the particles.
+PictureOptions bare(View view) {
+  PictureOptions options;
+  options.width = 400;
+  options.height = 300;
+  options.supersampling = 1;
+  options.view = view;
+  options.legend = options.time = options.container = options.scale = options.axes = false;
+  return options;
+}
+
+struct Sight {
+  UnitSpace space;
+  Camera camera;
+
+  Sight(const Snapshot& snapshot, const PictureOptions& options)
+      : space(snapshot.domain),
+        camera(lay_out(options, space, colour_particles(snapshot, options.color, options.range)).camera) {}
+
+  Point pixel(const Vec3& p) const { return camera.project((p - space.centre) * space.scale); }
+  double pixels_per_metre() const { return camera.pixels_per_unit() * space.scale; }
+};
+
+int covered_pixels(const Image& image) {
+  int count = 0;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) count += image.at(column, row) != paper;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere covers the pixels of its projected disc") {
+  const double radius = 0.4;
+  const Snapshot snapshot = testing::single_sphere(radius);
+  for (const View view : {View::front, View::top, View::left}) {
+    const PictureOptions options = bare(view);
+    const double pixels = radius * Sight(snapshot, options).pixels_per_metre();
+    CHECK(covered_pixels(draw_particles(snapshot, options)) == Approx(M_PI * pixels * pixels).epsilon(0.005));
+  }
+}
+
+TEST_CASE("the depth of a pixel is where its ray meets the sphere") {
+  const double radius = 0.3;
+  const Snapshot snapshot = testing::single_sphere(radius);
+  for (const View view : {View::iso, View::front}) {
+    const PictureOptions options = bare(view);
+    ParticlePainter painter(options);
+    painter.paint(snapshot);
+    const Sight sight(snapshot, options);
+    const Point middle = sight.pixel(snapshot.position[0]);
+    for (const int offset : {-30, -12, 0, 25}) {
+      const int column = static_cast<int>(middle.x) + offset;
+      const int row = static_cast<int>(middle.y) + offset / 2;
+      const auto point = painter.surface_point(column, row);
+      REQUIRE(point);
+      // On the sphere, on the pixel's ray, and on the side of the viewer: that is the hit.
+      const Vec3 out = *point - snapshot.position[0];
+      CHECK(out.norm() == Approx(radius).epsilon(1e-3));
+      CHECK(sight.pixel(*point).x == Approx(column + 0.5).margin(0.02));
+      CHECK(sight.pixel(*point).y == Approx(row + 0.5).margin(0.02));
+      CHECK(sight.camera.axes()[2].dot(out) > 0);
+    }
+    CHECK_FALSE(painter.surface_point(2, 2));
+  }
+}
+
+TEST_CASE("a particle has its group's colour where it faces the viewer") {
+  Snapshot snapshot = testing::single_sphere(0.4);
+  for (const int type : {0, 1}) {
+    snapshot.type[0] = type;
+    const PictureOptions options = bare(View::front);
+    const Image image = draw_particles(snapshot, options);
+    const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
+    const Colour seen = image.at(static_cast<int>(middle.x), static_cast<int>(middle.y));
+    const Colour group = category_colour(static_cast<std::size_t>(type));
+    // The three lamps give a surface that faces the viewer 0.905 of its colour.
+    CHECK(seen.r == Approx(0.905 * group.r).margin(4));
+    CHECK(seen.g == Approx(0.905 * group.g).margin(4));
+    CHECK(seen.b == Approx(0.905 * group.b).margin(4));
+  }
+}
+
+TEST_CASE("leaving out hidden particles changes no byte") {
+  Snapshot snapshot = testing::layered_packing(1);
+  // A large sphere before smaller ones, and one that reaches out of the picture.
+  testing::add_particle(snapshot, Vec3(0.5, 0.1, 0.6), 0.3, 0);
+  testing::add_particle(snapshot, Vec3(0.5, 0.5, 1.7), 0.4, 1);
+  for (const View view : {View::iso, View::top, View::bottom, View::right}) {
+    PictureOptions options = bare(view);
+    options.supersampling = 2;
+    const Image fast = draw_particles(snapshot, options);
+    options.cull = false;
+    CHECK(draw_particles(snapshot, options).rgb == fast.rgb);
+  }
+}
+
+TEST_CASE("micrometres look like metres") {
+  PictureOptions options = bare(View::iso);
+  options.container = true;
+  const Image metres = draw_particles(testing::layered_packing(1), options);
+  CHECK(difference(draw_particles(testing::layered_packing(1e-6), options), metres) < 0.01);
+  CHECK(difference(draw_particles(testing::layered_packing(1e-9), options), metres) < 0.01);
+}
+
+TEST_CASE("the view stands still whatever the particles do") {
+  const PictureOptions options = bare(View::iso);
+  const Snapshot full = testing::layered_packing(1);
+  const Snapshot empty = testing::empty_box(full.domain.max);
+  const Point a = Sight(full, options).pixel(Vec3(0.3, 0.2, 0.1));
+  const Point b = Sight(empty, options).pixel(Vec3(0.3, 0.2, 0.1));
+  CHECK(a.x == b.x);
+  CHECK(a.y == b.y);
+}
+
+TEST_CASE("a box without particles is drawn") {
+  PictureOptions options = bare(View::iso);
+  const Snapshot snapshot = testing::empty_box(Vec3(1, 1, 2));
+  CHECK(covered_pixels(draw_particles(snapshot, options)) == 0);
+  options.container = true;
+  CHECK(covered_pixels(draw_particles(snapshot, options)) > 100);
+  for (const char* color : {"type", "material", "radius"}) {
+    options.color = color;
+    options.legend = options.time = options.scale = options.axes = true;
+    CHECK_NOTHROW(draw_particles(snapshot, options));
+  }
+}
+
+TEST_CASE("a painter draws the same picture twice, and others in between") {
+  PictureOptions options = bare(View::iso);
+  options.legend = options.time = options.container = true;
+  ParticlePainter painter(options);
+  const Image first = painter.paint(testing::layered_packing(1));
+  const Image other = painter.paint(testing::single_sphere(0.2));
+  CHECK(painter.paint(testing::layered_packing(1)).rgb == first.rgb);
+  CHECK(other.rgb != first.rgb);
+}
+
+TEST_CASE("the floor does not hide the particles from below") {
+  Snapshot snapshot = testing::single_sphere(0.4);
+  snapshot.boundaries = {{"floor", "plane", Vec3::Zero(), Vec3::UnitZ()}};
+  PictureOptions options = bare(View::bottom);
+  options.container = true;
+  const Image below = draw_particles(snapshot, options);
+  const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
+  CHECK(below.at(static_cast<int>(middle.x), static_cast<int>(middle.y)) != plate_fill);
+  const Point corner = Sight(snapshot, options).pixel(Vec3(0.05, 0.05, 0));
+  CHECK(below.at(static_cast<int>(corner.x), static_cast<int>(corner.y)) == paper);
+  options.view = View::top;
+  const Image above = draw_particles(snapshot, options);
+  const Point seen = Sight(snapshot, options).pixel(Vec3(0.05, 0.05, 0));
+  CHECK(above.at(static_cast<int>(seen.x), static_cast<int>(seen.y)) == plate_fill);
+}
+
+TEST_CASE("a plane is cut off at the box") {
+  const Vec3 low = Vec3::Zero();
+  const Vec3 high = Vec3(1, 1, 2);
+  CHECK(plane_in_box(low, Vec3::UnitZ(), low, high).size() == 4);
+  CHECK(plane_in_box(Vec3(0, 0, 3), Vec3::UnitZ(), low, high).empty());
+  CHECK(plane_in_box(Vec3(0.5, 0.5, 1), Vec3(1, 1, 0.5).normalized(), low, high).size() == 6);
+  CHECK(plane_in_box(Vec3(0.1, 0, 0), Vec3(1, 1, 1).normalized(), low, high).size() == 3);
+}
+
+TEST_CASE("bad options are refused") {
+  CHECK_THROWS_AS(view_named("above"), InputError);
+  CHECK(view_named("bottom") == View::bottom);
+  PictureOptions options = bare(View::iso);
+  options.color = "charge";
+  CHECK_THROWS_AS(draw_particles(testing::layered_packing(1), options), InputError);
+  options.supersampling = 0;
+  CHECK_THROWS_AS(ParticlePainter(options), InputError);
+}

@@ -1,0 +1,200 @@
+#include "viz/annotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/font.hpp"
+#include "viz/legend.hpp"
+#include "viz/quantity.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+// All as multiples of the font size.
+constexpr double margin = 1.2;
+constexpr double column_gap = 2.0;
+constexpr double title_size = 1.15;
+constexpr double title_room = 2.2;
+constexpr double label_gap = 0.7;
+constexpr double scale_bar_room = 7;
+constexpr double arrow_length = 1.9;
+constexpr double arrow_head = 0.4;
+constexpr double triad_room = 2.8;
+constexpr double line_weight = 0.08;
+constexpr double row_gap = 1.2;
+constexpr double lowest_column = 24;  ///< less would not take a colour bar and all that stands below
+
+constexpr double sphere_room = 0.035;  ///< around the box, in unit space: particles reach out of periodic sides
+
+// Times of any length of run have room, so that the layout does not move from frame to frame.
+const std::string widest_time = "t = 0000.000 ms";
+
+bool has_legend(const PictureOptions& options, const Colouring& colouring) {
+  return options.legend && (colouring.range || !colouring.entries.empty());
+}
+
+double column_width(const PictureOptions& options, const Colouring& colouring, double font) {
+  double width = 0;
+  if (has_legend(options, colouring)) width = legend_width(colouring, font);
+  if (options.time) width = std::max(width, text_width(widest_time, font));
+  if (options.scale && options.view != View::iso) width = std::max(width, scale_bar_room * font);
+  if (options.axes) width = std::max(width, (triad_room + arrow_length) * font);
+  return width;
+}
+
+/// The pixels that a box takes.
+Box extent(const Camera& camera, const Vec3& min, const Vec3& max) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Box box{infinite, infinite, -infinite, -infinite};
+  for (const Vec3& corner : box_corners(min, max)) {
+    const Point p = camera.project(corner);
+    box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x), std::max(box.bottom, p.y)};
+  }
+  return box;
+}
+
+/// Length of the domain's edge along an axis, as text.
+std::string edge_text(const UnitSpace& space, int axis) {
+  return length_text((space.max[axis] - space.min[axis]) / space.scale);
+}
+
+/// The middle of the one of the four edges along an axis that lies lowest in the picture, or for z farthest left.
+Vec3 labelled_edge(const UnitSpace& space, const Camera& camera, int axis) {
+  Vec3 best = Vec3::Zero();
+  double best_rank = -std::numeric_limits<double>::infinity();
+  for (const Vec3& corner : box_corners(space.min, space.max)) {
+    Vec3 middle = corner;
+    middle[axis] = (space.min[axis] + space.max[axis]) / 2;
+    const Point p = camera.project(middle);
+    const double rank = axis == 2 ? -p.x : p.y;
+    if (rank > best_rank) {
+      best_rank = rank;
+      best = middle;
+    }
+  }
+  return best;
+}
+
+void draw_edge_lengths(Drawing& drawing, const UnitSpace& space, const Layout& layout) {
+  const Point middle = layout.camera.project(Vec3::Zero());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Point at = layout.camera.project(labelled_edge(space, layout.camera, axis));
+    const double gap = label_gap * layout.font;
+    if (axis == 2) {
+      drawing.text({at.x - gap, at.y}, edge_text(space, axis),
+                   {.size = layout.font, .across = Side::high, .along = Side::middle});
+    } else {
+      const bool left = at.x < middle.x;
+      drawing.text({at.x + (left ? -gap : gap) / 2, at.y + gap}, edge_text(space, axis),
+                   {.size = layout.font, .across = left ? Side::high : Side::low, .along = Side::high});
+    }
+  }
+}
+
+void draw_arrow(Drawing& drawing, Point from, Point to, double font) {
+  const Stroke stroke{ink, line_weight * font, {}};
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const Point along = {(to.x - from.x) / length * arrow_head * font, (to.y - from.y) / length * arrow_head * font};
+  const Point base = {to.x - along.x, to.y - along.y};
+  drawing.line(from, base, stroke);
+  constexpr double half_width = 0.4;  // of the head's length
+  const Point side = {-along.y * half_width, along.x * half_width};
+  drawing.polygon({to, {base.x + side.x, base.y + side.y}, {base.x - side.x, base.y - side.y}}, Fill{ink},
+                  std::nullopt);
+}
+
+void draw_triad(Drawing& drawing, const Camera& camera, Point origin, double font) {
+  constexpr double shortest = 0.1;  // an axis seen end on
+  for (int axis = 0; axis < 3; ++axis) {
+    const Point way = {camera.axes()[0][axis], -camera.axes()[1][axis]};
+    const double length = std::hypot(way.x, way.y);
+    if (length < shortest) continue;
+    const double reach = arrow_length * font;
+    draw_arrow(drawing, origin, {origin.x + way.x * reach, origin.y + way.y * reach}, font);
+    const double beyond = reach + label_gap * font / length;
+    drawing.text({origin.x + way.x * beyond, origin.y + way.y * beyond}, axis_names[axis],
+                 {.size = font, .across = Side::middle, .along = Side::middle});
+  }
+}
+
+/// From the column's bottom up: directions, scale bar, time.
+double draw_lower_column(Drawing& drawing, const PictureOptions& options, const UnitSpace& space, const Layout& layout,
+                         double time) {
+  const double font = layout.font;
+  double y = layout.column.bottom;
+  if (options.axes) {
+    // Room for arrows to either side of the origin, as views from behind and below have them.
+    const auto& axes = layout.camera.axes();
+    const double left = std::min({0.0, axes[0][0], axes[0][1], axes[0][2]});
+    const double down = std::max({0.0, -axes[1][0], -axes[1][1], -axes[1][2]});
+    const double up = std::max({0.0, axes[1][0], axes[1][1], axes[1][2]});
+    const Point origin = {layout.column.left + label_gap * font - left * triad_room * font,
+                          y - label_gap * font - down * triad_room * font};
+    draw_triad(drawing, layout.camera, origin, font);
+    y = origin.y - up * triad_room * font - row_gap * font;
+  }
+  if (options.scale && layout.camera.parallel()) {
+    const double metres_per_pixel = 1 / (layout.camera.pixels_per_unit() * space.scale);
+    draw_scale_bar(drawing, {layout.column.left, y}, metres_per_pixel, scale_bar_room * font, font);
+    constexpr double scale_bar_height = 1.5;
+    y -= (scale_bar_height + row_gap) * font;
+  }
+  if (options.time) {
+    drawing.text({layout.column.left, y}, time_text(time), {.size = font});
+    y -= (capital_height + row_gap) * font;
+  }
+  return y;
+}
+
+}  // namespace
+
+UnitSpace::UnitSpace(const Domain& domain)
+    : centre((domain.min + domain.max) / 2),
+      scale(1 / domain.size().maxCoeff()),
+      min((domain.min - centre) * scale),
+      max((domain.max - centre) * scale) {}
+
+Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring) {
+  const double font = font_size(options.width, options.height);
+  const double edge = margin * font;
+  const double column = column_width(options, colouring, font);
+  const bool edge_lengths = options.scale && options.view == View::iso;
+  Box region{edge, edge, options.width - edge, options.height - edge};
+  if (!options.title.empty()) region.top += title_room * font;
+  if (column > 0) region.right -= column + column_gap * font;
+  if (edge_lengths) {
+    region.left += text_width(edge_text(space, 2), font);
+    region.bottom -= font;
+  }
+  const Vec3 room = Vec3::Constant(sphere_room);
+  Camera camera(options.view, space.min - room, space.max + room, region);
+  // Box and column stand together in the middle of the picture.
+  const Box content = extent(camera, space.min - room, space.max + room);
+  const double shift = (region.left + region.right - content.left - content.right) / 2;
+  camera.move_right(shift);
+  const double left = content.right + shift + (column > 0 ? column_gap * font : 0);
+  const double missing = std::max(0.0, lowest_column * font - content.height());
+  return {font,
+          camera,
+          {left, std::max(region.top, content.top - missing / 2), left + column,
+           std::min(options.height - edge, content.bottom + missing / 2)}};
+}
+
+Drawing annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
+                 const Colouring& colouring, double time) {
+  Drawing drawing{options.width, options.height, {}};
+  drawing.text({options.width / 2.0, margin * layout.font}, options.title,
+               {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});
+  if (options.scale && !layout.camera.parallel()) draw_edge_lengths(drawing, space, layout);
+  const double legend_bottom = draw_lower_column(drawing, options, space, layout, time);
+  if (has_legend(options, colouring)) {
+    Box area = layout.column;
+    area.bottom = legend_bottom;
+    draw_legend(drawing, area, colouring, layout.font);
+  }
+  return drawing;
+}
+
+}  // namespace packstone::viz

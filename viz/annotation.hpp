@@ -1,0 +1,35 @@
+// Where the box, the legend and the labels of a view in space go, and their drawing.
+#pragma once
+
+#include "viz/camera.hpp"
+#include "viz/colouring.hpp"
+#include "viz/drawing.hpp"
+#include "viz/particle_scene.hpp"
+
+namespace packstone::viz {
+
+/// The domain of a snapshot brought to about unit size around the origin: q = (p - centre) * scale. The graphics work
+/// with single precision, so lengths in micrometres would be lost otherwise.
+struct UnitSpace {
+  Vec3 centre;   ///< [m]
+  double scale;  ///< [1/m]
+  Vec3 min;      ///< of the domain, in unit space
+  Vec3 max;
+
+  explicit UnitSpace(const Domain& domain);
+};
+
+/// The camera, with room left for the labels, and where the column of legend, time and scale begins.
+struct Layout {
+  double font;
+  Camera camera;
+  Box column;
+};
+
+Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring);
+
+/// All that stands beside the particles.
+Drawing annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
+                 const Colouring& colouring, double time);
+
+}  // namespace packstone::viz

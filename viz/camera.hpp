@@ -1,0 +1,62 @@
+// Where the viewer stands: the domain fills a given part of the picture, whatever the particles do, so movies stand
+// still.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/vec3.hpp"
+#include "viz/drawing.hpp"
+
+class vtkCamera;
+
+namespace packstone::viz {
+
+/// Along an axis the projection is parallel, so that lengths can be read off; iso has a mild perspective.
+enum class View { iso, front, back, left, right, top, bottom };
+
+/// Throws InputError that lists the views there are.
+View view_named(const std::string& name);
+
+/// The corners of an axis-aligned box; corner i has the upper end along axis k where bit k of i is set.
+std::array<Vec3, 8> box_corners(const Vec3& min, const Vec3& max);
+
+/// Maps points in space to pixels: x to the right, y down.
+class Camera {
+ public:
+  /// The box just fits into the region. Lengths of space are of the order of 1.
+  Camera(View view, const Vec3& min, const Vec3& max, const Box& region);
+
+  Point project(const Vec3& p) const;
+  bool parallel() const { return parallel_; }
+  /// Pixels that a length of 1 across the line of sight takes at the origin, or at a point.
+  double pixels_per_unit() const { return pixels_per_unit_at(Vec3::Zero()); }
+  double pixels_per_unit_at(const Vec3& p) const;
+  /// How near a point is to the viewer, along the line of sight: more is nearer.
+  double height(const Vec3& p) const { return axes_[2].dot(p); }
+  /// Unit vectors in space: to the right, up, and from the scene to the viewer.
+  const std::array<Vec3, 3>& axes() const { return axes_; }
+  /// True when a viewer sees the side of the plane that the normal points to.
+  bool sees(const Vec3& point, const Vec3& normal) const;
+
+  /// Shifts the picture sideways.
+  void move_right(double pixels) { centre_.x += pixels; }
+
+  /// Sets VTK's camera for a picture of this size.
+  void apply(vtkCamera& camera, int width, int height) const;
+
+ private:
+  void fit_parallel(const std::array<Vec3, 8>& corners, const Box& region);
+  void fit_perspective(const std::array<Vec3, 8>& corners, const Box& region);
+  Vec3 eye() const;
+
+  std::array<Vec3, 3> axes_;
+  bool parallel_;
+  Point centre_;            ///< pixel at which the viewer looks straight
+  double focal_ = 1;        ///< pixels per unit length (parallel), per unit slope (perspective)
+  Vec3 at_ = Vec3::Zero();  ///< the viewer's place along the axes
+  double nearest_ = 0;      ///< of the box along the axis to the viewer
+  double farthest_ = 0;
+};
+
+}  // namespace packstone::viz

@@ -1,0 +1,122 @@
+#include "viz/colouring.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+struct Quantity {
+  std::vector<double> values;  ///< (N)
+  std::string title;
+};
+
+std::vector<double> magnitudes(const Field& field, std::size_t count) {
+  std::vector<double> values(count);
+  const auto components = static_cast<std::size_t>(field.components);
+  for (std::size_t row = 0; row < count; ++row) {
+    if (components == 1) {
+      values[row] = field.values[row];
+      continue;
+    }
+    double square = 0;
+    for (std::size_t k = 0; k < components; ++k) square += std::pow(field.values[row * components + k], 2);
+    values[row] = std::sqrt(square);
+  }
+  return values;
+}
+
+std::string titled(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+[[noreturn]] void refuse(const Snapshot& snapshot, const std::string& name) {
+  const std::vector<std::string> names = colour_names(snapshot);
+  const auto near = nearest_name(name, names);
+  throw InputError(fmt::format("the snapshot has no '{}' to colour by{}; there are {}", name,
+                               near ? fmt::format(", did you mean '{}'?", *near) : "", joined(names)));
+}
+
+/// The numbers to colour by; nothing for categories.
+std::optional<Quantity> quantity(const Snapshot& snapshot, const std::string& name) {
+  if (name == "type" || name == "material") return std::nullopt;
+  if (name == "radius") return Quantity{snapshot.radius, "radius [m]"};
+  const auto field = snapshot.fields.find(name == "speed" ? "velocity" : name);
+  if (field == snapshot.fields.end()) refuse(snapshot, name);
+  return Quantity{magnitudes(field->second, snapshot.size()), titled(name, field->second.unit)};
+}
+
+std::optional<ValueRange> extent(const std::vector<double>& values) {
+  std::optional<ValueRange> range;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (!range) range = {value, value};
+    range->first = std::min(range->first, value);
+    range->second = std::max(range->second, value);
+  }
+  return range;
+}
+
+/// A scale needs some length even where all values agree.
+ValueRange widened(ValueRange range) {
+  if (range.first < range.second) return range;
+  const double margin = range.first == 0 ? 1 : std::abs(range.first) / 2;
+  return {range.first - margin, range.second + margin};
+}
+
+Colouring colour_categories(const std::vector<std::int32_t>& category, const std::vector<std::string>& names,
+                            const std::string& title) {
+  Colouring colouring;
+  colouring.title = title;
+  colouring.colours.reserve(category.size());
+  for (const std::int32_t index : category) {
+    colouring.colours.push_back(index < 0 ? no_value : category_colour(static_cast<std::size_t>(index)));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) colouring.entries.push_back({category_colour(i), names[i]});
+  return colouring;
+}
+
+Colouring colour_groups(const Snapshot& snapshot) {
+  std::vector<std::string> names;
+  for (const GroupRecord& group : snapshot.groups) names.push_back(group.name);
+  return colour_categories(snapshot.type, names, "");
+}
+
+}  // namespace
+
+std::vector<std::string> colour_names(const Snapshot& snapshot) {
+  std::vector<std::string> names = {"type", "material", "radius"};
+  if (snapshot.fields.contains("velocity")) names.push_back("speed");
+  for (const auto& [name, field] : snapshot.fields) names.push_back(name);
+  return names;
+}
+
+std::optional<ValueRange> value_range(const Snapshot& snapshot, const std::string& name) {
+  const auto numbers = quantity(snapshot, name);
+  return numbers ? extent(numbers->values) : std::nullopt;
+}
+
+Colouring colour_particles(const Snapshot& snapshot, const std::string& name, std::optional<ValueRange> range) {
+  if (range && !(range->first < range->second)) {
+    throw InputError(fmt::format("the colour range {} to {} is not ascending", range->first, range->second));
+  }
+  if (name == "type") return colour_groups(snapshot);
+  if (name == "material") return colour_categories(snapshot.material, snapshot.material_names, "material");
+  const Quantity numbers = *quantity(snapshot, name);
+  Colouring colouring;
+  colouring.title = numbers.title;
+  colouring.range = range ? *range : widened(extent(numbers.values).value_or(ValueRange{0, 1}));
+  const auto [low, high] = *colouring.range;
+  colouring.colours.reserve(numbers.values.size());
+  for (const double value : numbers.values)
+    colouring.colours.push_back(sequential_colour((value - low) / (high - low)));
+  return colouring;
+}
+
+}  // namespace packstone::viz

@@ -1,0 +1,42 @@
+// Which colour a particle has, and what the legend says about it. Shared by the view in space and the slice.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/snapshot.hpp"
+#include "viz/style.hpp"
+
+namespace packstone::viz {
+
+/// Lowest and highest value of a colour scale, SI.
+using ValueRange = std::pair<double, double>;
+
+struct LegendEntry {
+  Colour colour;
+  std::string name;
+};
+
+/// Colours of the particles of one snapshot.
+struct Colouring {
+  std::vector<Colour> colours;       ///< (N), row by row
+  std::string title;                 ///< of the legend, with the unit: "speed [m/s]"
+  std::vector<LegendEntry> entries;  ///< categories; empty for a scale
+  std::optional<ValueRange> range;   ///< of the colour scale; absent for categories
+};
+
+/// "type", "material", "radius", "speed" (where there are velocities) and the fields of the snapshot.
+std::vector<std::string> colour_names(const Snapshot& snapshot);
+
+/// Lowest and highest value of a quantity in one snapshot; NaN does not count. Vectors count by magnitude. For movies:
+/// unite those of all frames. Nothing for "type" and "material", and where there are no particles.
+/// Throws InputError that lists the names there are.
+std::optional<ValueRange> value_range(const Snapshot& snapshot, const std::string& name);
+
+/// Colours by the named quantity; without a range the scale spans the snapshot's own values.
+/// Throws InputError that lists the names there are, or when the range is not ascending.
+Colouring colour_particles(const Snapshot& snapshot, const std::string& name, std::optional<ValueRange> range);
+
+}  // namespace packstone::viz

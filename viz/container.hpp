@@ -1,0 +1,33 @@
+// The domain's box and the plane walls, as thin rods and plates.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/snapshot.hpp"
+#include "viz/camera.hpp"
+
+class vtkRenderer;
+
+namespace packstone::viz {
+
+/// The part of a plane inside a box: its corners in order around the normal; empty when they do not meet.
+std::vector<Vec3> plane_in_box(const Vec3& point, const Vec3& normal, const Vec3& min, const Vec3& max);
+
+/// The container's actors in one renderer.
+class Container {
+ public:
+  explicit Container(vtkRenderer* renderer);
+  ~Container();
+
+  /// Periodic edges are dashed. A wall is a plate where the particles lie before it, an outline where it would hide
+  /// them. Positions p of the snapshot lie at (p - centre) * scale; lines are line_width pixels wide.
+  void update(const Snapshot& snapshot, const Vec3& centre, double scale, const Camera& camera, double line_width);
+  void hide();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace packstone::viz

@@ -1,0 +1,95 @@
+#include "viz/drawing.hpp"
+
+#include <cmath>
+
+#include <vtkNew.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include "core/error.hpp"
+#include "viz/font.hpp"
+
+namespace packstone::viz {
+
+void Drawing::polyline(const std::vector<Point>& points, const Stroke& stroke) {
+  marks.emplace_back(LineMark{points, stroke});
+}
+
+void Drawing::rectangle(const Box& box, std::optional<Fill> fill, const std::optional<Stroke>& outline) {
+  polygon({{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}, fill, outline);
+}
+
+void Drawing::polygon(const std::vector<Point>& corners, std::optional<Fill> fill,
+                      const std::optional<Stroke>& outline) {
+  marks.emplace_back(PolygonMark{corners, fill, outline});
+}
+
+void Drawing::disc(Point centre, double radius, Fill fill, const std::optional<Stroke>& outline) {
+  marks.emplace_back(DiscMark{centre, radius, fill, outline});
+}
+
+void Drawing::band(const std::vector<Point>& first, const std::vector<Point>& second, Fill fill) {
+  marks.emplace_back(BandMark{first, second, fill});
+}
+
+void Drawing::text(Point at, const std::string& text, TextStyle style) {
+  if (!text.empty()) marks.emplace_back(TextMark{at, text, style});
+}
+
+void Drawing::clip(std::optional<Box> box) { marks.emplace_back(ClipMark{box}); }
+
+double text_width(const std::string& text, double size, bool bold) {
+  constexpr int measured_size = 100;  // large, so that the rounding to whole pixels does not count
+  constexpr int dots_per_inch = 72;   // a point is a pixel
+  vtkNew<vtkTextProperty> property;
+  property->SetFontSize(measured_size);
+  use_font(property, bold);
+  int bounds[4] = {0, 0, 0, 0};
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  if (renderer == nullptr || !renderer->GetBoundingBox(property, vtkStdString(text), bounds, dots_per_inch)) {
+    throw RunError("VTK cannot measure text; is its FreeType part there?");
+  }
+  return (bounds[1] - bounds[0] + 1) * size / measured_size;
+}
+
+double baseline_shift(Side along) {
+  switch (along) {
+    case Side::low:
+      return 0;
+    case Side::middle:
+      return capital_height / 2;
+    case Side::high:
+      return capital_height;
+  }
+  return 0;
+}
+
+std::vector<std::vector<Point>> dashed(const std::vector<Point>& line, const std::vector<double>& dashes) {
+  if (dashes.empty() || line.size() < 2) return {line};
+  std::vector<std::vector<Point>> pieces = {{line.front()}};
+  std::size_t dash = 0;
+  double left = dashes.front();  // of the current dash or gap
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point from = line[i];
+    const Point to = line[i + 1];
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    double walked = 0;
+    while (length - walked > left) {
+      walked += left;
+      const Point here = {from.x + (to.x - from.x) * walked / length, from.y + (to.y - from.y) * walked / length};
+      const bool drawing = dash % 2 == 0;
+      if (drawing) {
+        pieces.back().push_back(here);
+      } else {
+        pieces.push_back({here});
+      }
+      left = dashes[++dash % dashes.size()];
+    }
+    left -= length - walked;
+    if (dash % 2 == 0) pieces.back().push_back(to);
+  }
+  return pieces;
+}
+
+}  // namespace packstone::viz

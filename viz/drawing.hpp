@@ -1,0 +1,118 @@
+// A flat picture as a list of marks: charts, slices, legends. Drawn once, then turned into pixels (drawing_painter.hpp)
+// or SVG (svg.hpp). Lengths are pixels of the finished picture; x runs to the right, y down.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viz/style.hpp"
+
+namespace packstone::viz {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+struct Box {
+  double left = 0;
+  double top = 0;
+  double right = 0;
+  double bottom = 0;
+
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+  Point centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+};
+
+struct Stroke {
+  Colour colour = ink;
+  double width = 1;
+  std::vector<double> dashes;  ///< lengths drawn and left out in turn; empty for a solid line
+};
+
+struct Fill {
+  Colour colour;
+  double opacity = 1;
+};
+
+/// An open line.
+struct LineMark {
+  std::vector<Point> points;
+  Stroke stroke;
+};
+
+/// A convex polygon.
+struct PolygonMark {
+  std::vector<Point> corners;
+  std::optional<Fill> fill;
+  std::optional<Stroke> outline;
+};
+
+struct DiscMark {
+  Point centre;
+  double radius = 0;
+  Fill fill;
+  std::optional<Stroke> outline;
+};
+
+/// The area between two lines of equally many points.
+struct BandMark {
+  std::vector<Point> first;
+  std::vector<Point> second;
+  Fill fill;
+};
+
+enum class Side { low, middle, high };
+
+struct TextStyle {
+  double size = 12;
+  Colour colour = ink;
+  Side across = Side::low;  ///< which end of the text lies at the point, along the line of writing
+  Side along = Side::low;   ///< low: the base line is at the point; high: the capitals' top is
+  bool upward = false;      ///< written from bottom to top
+  bool bold = false;
+};
+
+struct TextMark {
+  Point at;
+  std::string text;  ///< UTF-8, one line
+  TextStyle style;
+};
+
+/// From here on nothing is drawn outside the box; without a box everything is again.
+struct ClipMark {
+  std::optional<Box> box;
+};
+
+using Mark = std::variant<LineMark, PolygonMark, DiscMark, BandMark, TextMark, ClipMark>;
+
+/// The marks in the order they are drawn.
+struct Drawing {
+  int width = 0;
+  int height = 0;
+  std::vector<Mark> marks;
+
+  void line(Point from, Point to, const Stroke& stroke) { polyline({from, to}, stroke); }
+  void polyline(const std::vector<Point>& points, const Stroke& stroke);
+  void rectangle(const Box& box, std::optional<Fill> fill, const std::optional<Stroke>& outline);
+  void polygon(const std::vector<Point>& corners, std::optional<Fill> fill, const std::optional<Stroke>& outline);
+  void disc(Point centre, double radius, Fill fill, const std::optional<Stroke>& outline);
+  void band(const std::vector<Point>& first, const std::vector<Point>& second, Fill fill);
+  /// Nothing where the text is empty.
+  void text(Point at, const std::string& text, TextStyle style);
+  void clip(std::optional<Box> box);
+};
+
+/// Width of a line of text [px].
+double text_width(const std::string& text, double size, bool bold = false);
+
+/// How far below the point the base line of a text lies, as a share of its size.
+double baseline_shift(Side along);
+
+/// The pieces of a line that a dash pattern draws; the whole line when the pattern is empty.
+std::vector<std::vector<Point>> dashed(const std::vector<Point>& line, const std::vector<double>& dashes);
+
+}  // namespace packstone::viz

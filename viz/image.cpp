@@ -1,0 +1,148 @@
+#include "viz/image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+constexpr int any_factor = 0;
+
+/// One row of sums over factor rows becomes one row of means. A factor known to the compiler is several times faster.
+template <int known_factor>
+void reduce_row(const std::uint16_t* sums, int width, int factor, std::uint8_t* target) {
+  const int side = known_factor == any_factor ? factor : known_factor;
+  const int area = side * side;
+  for (int column = 0; column < width; ++column, sums += 4 * side, target += 4) {
+    for (int channel = 0; channel < 4; ++channel) {
+      int sum = area / 2;  // rounds the quotient
+      for (int k = 0; k < side; ++k) sum += sums[4 * k + channel];
+      target[channel] = static_cast<std::uint8_t>(sum / area);
+    }
+  }
+}
+
+}  // namespace
+
+Colour Image::at(int column, int row) const {
+  const std::uint8_t* p = &rgb[(static_cast<std::size_t>(row) * width + column) * 3];
+  return {p[0], p[1], p[2]};
+}
+
+Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width, int height, int factor) {
+  Layer layer{width / factor, height / factor, {}};
+  layer.rgba.resize(static_cast<std::size_t>(layer.width) * layer.height * 4);
+  const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
+  std::vector<std::uint16_t> column_sums(row_bytes);
+  const auto reduce = factor == 2 ? reduce_row<2> : reduce_row<any_factor>;
+  for (int row = 0; row < layer.height; ++row) {
+    std::fill(column_sums.begin(), column_sums.end(), 0);
+    for (int k = 0; k < factor; ++k) {
+      const std::uint8_t* source = &rgba_bottom_first[(height - 1 - (row * factor + k)) * row_bytes];
+      for (std::size_t i = 0; i < row_bytes; ++i) column_sums[i] += source[i];
+    }
+    reduce(column_sums.data(), layer.width, factor, &layer.rgba[static_cast<std::size_t>(row) * layer.width * 4]);
+  }
+  return layer;
+}
+
+Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
+  const int width = layers.front()->width;
+  const int height = layers.front()->height;
+  const std::size_t pixels = static_cast<std::size_t>(width) * height;
+  Image image{width, height, std::vector<std::uint8_t>(pixels * 3)};
+  constexpr int full = 255;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    int value[3] = {ground.r, ground.g, ground.b};
+    for (const Layer* layer : layers) {
+      const std::uint8_t* over = &layer->rgba[i * 4];
+      if (over[3] == 0) continue;
+      const int left = full - over[3];
+      for (int k = 0; k < 3; ++k) value[k] = std::min(full, over[k] + (value[k] * left + full / 2) / full);
+    }
+    std::copy(value, value + 3, &image.rgb[i * 3]);
+  }
+  return image;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::size_t row_bytes = static_cast<std::size_t>(image.width) * 3;
+  for (int row = 0; row < image.height; ++row) {
+    const auto source = image.rgb.begin() + static_cast<std::ptrdiff_t>(row * row_bytes);
+    std::copy_n(source, row_bytes, static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height - 1 - row, 0)));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  for (const auto& [key, value] : text) writer->AddText(key.c_str(), value.c_str());
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr) {
+    throw RunError(fmt::format("cannot encode {}", path.string()));
+  }
+  write_text_file(
+      path, {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetDataSize())});
+}
+
+Image read_png(const std::filesystem::path& path) {
+  vtkNew<vtkPNGReader> reader;
+  if (!std::filesystem::is_regular_file(path) || reader->CanReadFile(path.c_str()) == 0) {
+    throw InputError(fmt::format("{} is not a PNG file", path.string()));
+  }
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* data = reader->GetOutput();
+  const int channels = data->GetNumberOfScalarComponents();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError || data->GetScalarType() != VTK_UNSIGNED_CHAR || channels < 3) {
+    throw InputError(fmt::format("{} is not an RGB picture of 8 bits", path.string()));
+  }
+  const int* size = data->GetDimensions();
+  Image image{size[0], size[1], {}};
+  image.rgb.reserve(static_cast<std::size_t>(image.width) * image.height * 3);
+  for (int row = image.height - 1; row >= 0; --row) {
+    const auto* source = static_cast<const std::uint8_t*>(data->GetScalarPointer(0, row, 0));
+    for (int column = 0; column < image.width; ++column, source += channels) {
+      image.rgb.insert(image.rgb.end(), source, source + 3);
+    }
+  }
+  return image;
+}
+
+double difference(const Image& a, const Image& b) {
+  if (a.width != b.width || a.height != b.height) {
+    throw InputError(
+        fmt::format("the pictures differ in size: {} x {} and {} x {} px", a.width, a.height, b.width, b.height));
+  }
+  constexpr int side = 4;
+  double total = 0;
+  for (int top = 0; top < a.height; top += side) {
+    for (int left = 0; left < a.width; left += side) {
+      int sums[3] = {0, 0, 0};
+      for (int row = top; row < std::min(top + side, a.height); ++row) {
+        for (int column = left; column < std::min(left + side, a.width); ++column) {
+          const std::size_t first = (static_cast<std::size_t>(row) * a.width + column) * 3;
+          for (int k = 0; k < 3; ++k) sums[k] += a.rgb[first + k] - b.rgb[first + k];
+        }
+      }
+      for (const int sum : sums) total += std::abs(sum);
+    }
+  }
+  return total / (3.0 * a.width * a.height);
+}
+
+}  // namespace packstone::viz

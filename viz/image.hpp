@@ -1,0 +1,53 @@
+// Pictures in memory: averaging down, laying one over the other, PNG files, and a score of how alike two are.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viz/style.hpp"
+
+namespace packstone::viz {
+
+/// An opaque picture.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< (height * width * 3), top row first
+
+  /// Column from the left, row from the top, both within the picture.
+  Colour at(int column, int row) const;
+};
+
+/// A picture with transparent parts.
+struct Layer {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< (height * width * 4), top row first, colours premultiplied by alpha
+};
+
+/// Averages squares of factor x factor pixels of a picture given bottom row first; its sides are multiples of factor.
+/// This is all the smoothing there is, so that tiles of a picture merge byte for byte.
+Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width, int height, int factor);
+
+/// Lays the layers over a plain ground, the first lowest. All have the same size.
+Image flatten(const std::vector<const Layer*>& layers, Colour ground);
+
+/// Text chunks of a PNG file: keyword ("Title", "Software", "Description", ...) and text.
+using PngText = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes under another name and renames: the file is whole or absent. Throws RunError when the disk refuses.
+void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
+
+/// Throws InputError when the file is not an RGB or RGBA picture of 8 bits; alpha is dropped.
+Image read_png(const std::filesystem::path& path);
+
+/// Mean absolute difference of two pictures over all pixels and channels after each was averaged over 4 x 4 squares:
+/// 0 for the same picture, 255 for white against black. The squares forgive what renderers do differently at edges, not
+/// a wrong colour or a moved object: a thing that covers the share s of the picture and is off by d adds s * d. Throws
+/// InputError when the sizes differ.
+double difference(const Image& a, const Image& b);
+
+}  // namespace packstone::viz

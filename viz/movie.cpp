@@ -1,0 +1,205 @@
+#include "viz/movie.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> ffmpeg_call(const fs::path& output, int width, int height, int frames_per_second) {
+  std::vector<std::string> call = {"ffmpeg",     "-nostdin",
+                                   "-loglevel",  "error",
+                                   "-f",         "rawvideo",
+                                   "-pix_fmt",   "rgb24",
+                                   "-s",         fmt::format("{}x{}", width, height),
+                                   "-framerate", fmt::format("{}", frames_per_second),
+                                   "-i",         "pipe:0"};
+  std::vector<std::string> format;
+  if (output.extension() == ".gif") {
+    // One palette from all frames, so that colours do not flicker.
+    format = {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none", "-loop", "0"};
+  } else {
+    format = {"-c:v",
+              "libx264",
+              "-crf",
+              "18",
+              "-pix_fmt",
+              "yuv420p",
+              "-vf",
+              "scale=out_color_matrix=bt709:out_range=tv",
+              "-colorspace",
+              "bt709",
+              "-color_primaries",
+              "bt709",
+              "-color_trc",
+              "bt709",
+              "-movflags",
+              "+faststart"};
+  }
+  call.insert(call.end(), format.begin(), format.end());
+  call.insert(call.end(), {"-y", output.string()});
+  return call;
+}
+
+void check_request(const fs::path& path, int width, int height, int frames_per_second) {
+  const std::string ending = path.extension().string();
+  if (ending != ".mp4" && ending != ".gif") {
+    throw InputError(fmt::format("{}: a movie's ending is .mp4 or .gif", path.string()));
+  }
+  if (width < 1 || height < 1) throw InputError("a movie has at least 1 x 1 px");
+  if (ending == ".mp4" && (width % 2 != 0 || height % 2 != 0)) {
+    throw InputError(fmt::format("an .mp4 needs even sides, not {} x {} px; {} x {} px would be right", width, height,
+                                 width + width % 2, height + height % 2));
+  }
+  if (frames_per_second < 1) {
+    throw InputError(fmt::format("a movie takes 1 frame a second or more, not {}", frames_per_second));
+  }
+}
+
+}  // namespace
+
+/// The running ffmpeg. It reads from a socket, as writing to one whose reader has died need not raise SIGPIPE.
+class MovieWriter::Encoder {
+ public:
+  explicit Encoder(const std::vector<std::string>& call) {
+    std::array<int, 2> ends;
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail_to_start(errno);
+    log_ = std::tmpfile();
+    if (log_ == nullptr) fail_to_start(errno);
+    fcntl(fileno(log_), F_SETFD, FD_CLOEXEC);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(log_), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(log_), STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (const std::string& word : call) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int error = posix_spawnp(&child_, call.front().c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    input_ = ends[0];
+    if (error != 0) {
+      child_ = 0;
+      close_all();
+      fail_to_start(error);
+    }
+  }
+
+  ~Encoder() {
+    if (child_ != 0) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+    }
+    close_all();
+  }
+
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  void write(const std::vector<std::uint8_t>& bytes) {
+    std::size_t sent = 0;
+    while (sent < bytes.size()) {
+      const ssize_t count = send(input_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) {
+        wait_for_end();
+        throw RunError("ffmpeg stopped before the movie's end: " + last_words());
+      }
+      sent += static_cast<std::size_t>(count);
+    }
+  }
+
+  void finish() {
+    const int status = wait_for_end();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw RunError("ffmpeg failed: " + last_words());
+  }
+
+ private:
+  [[noreturn]] static void fail_to_start(int error) {
+    throw RunError(fmt::format("cannot start the program ffmpeg, which writes the movie: {}", std::strerror(error)));
+  }
+
+  int wait_for_end() {
+    ::close(input_);
+    input_ = -1;
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    child_ = 0;
+    return status;
+  }
+
+  /// The last line ffmpeg printed.
+  std::string last_words() {
+    std::rewind(log_);
+    std::string last = "it gives no reason";
+    std::array<char, 1024> line;
+    while (std::fgets(line.data(), line.size(), log_) != nullptr) {
+      std::string text = line.data();
+      while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+      if (!text.empty()) last = text;
+    }
+    return last;
+  }
+
+  void close_all() {
+    if (input_ >= 0) ::close(input_);
+    if (log_ != nullptr) std::fclose(log_);
+    input_ = -1;
+    log_ = nullptr;
+  }
+
+  pid_t child_ = 0;
+  int input_ = -1;
+  std::FILE* log_ = nullptr;
+};
+
+MovieWriter::MovieWriter(const fs::path& path, int width, int height, const MovieOptions& options)
+    : path_(path), width_(width), height_(height) {
+  check_request(path, width, height, options.frames_per_second);
+  encoder_ = std::make_unique<Encoder>(ffmpeg_call(temporary_name(path), width, height, options.frames_per_second));
+}
+
+MovieWriter::~MovieWriter() {
+  if (!encoder_) return;
+  encoder_.reset();  // ends ffmpeg before its file goes
+  std::error_code ignored;
+  fs::remove(temporary_name(path_), ignored);
+}
+
+void MovieWriter::add(const Image& frame) {
+  if (frame.width != width_ || frame.height != height_) {
+    throw InputError(fmt::format("a frame of {} x {} px does not fit a movie of {} x {} px", frame.width, frame.height,
+                                 width_, height_));
+  }
+  encoder_->write(frame.rgb);
+  ++frames_;
+}
+
+void MovieWriter::finish() {
+  if (frames_ == 0) throw RunError(fmt::format("{}: the movie has no frames", path_.string()));
+  encoder_->finish();
+  commit_file(path_);
+  encoder_.reset();
+}
+
+}  // namespace packstone::viz

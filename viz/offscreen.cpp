@@ -1,0 +1,156 @@
+#include "viz/offscreen.hpp"
+
+#include <array>
+#include <string>
+
+#include <GL/osmesa.h>
+#include <fmt/format.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkFloatArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "core/error.hpp"
+#include "viz/glx_shims.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+void check_size(int width, int height) {
+  if (width < 1 || height < 1 || width > max_side || height > max_side) {
+    throw InputError(
+        fmt::format("cannot draw a picture of {} x {} px (with its super-sampling); a side takes 1 to {} px", width,
+                    height, max_side));
+  }
+}
+
+constexpr int context_attributes[] = {OSMESA_FORMAT,
+                                      OSMESA_RGBA,
+                                      OSMESA_PROFILE,
+                                      OSMESA_CORE_PROFILE,
+                                      OSMESA_CONTEXT_MAJOR_VERSION,
+                                      3,
+                                      OSMESA_CONTEXT_MINOR_VERSION,
+                                      2,
+                                      OSMESA_DEPTH_BITS,
+                                      24,
+                                      0};
+
+}  // namespace
+
+/// The OSMesa context with VTK's window on it. VTK draws into buffers of its own, so the context's is a token one.
+struct OffscreenWindow::Context {
+  static constexpr int token_side = 16;
+
+  OSMesaContext mesa = nullptr;
+  std::array<std::uint8_t, token_side * token_side * 4> buffer{};
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  std::string failure;  ///< VTK's own words; empty while all is well
+
+  Context() {
+    if (!glx_shims_in_place()) {
+      throw RunError(
+          "this program was linked without its off-screen renderer; link it to the CMake target packstone::viz");
+    }
+    mesa = OSMesaCreateContextAttribs(context_attributes, nullptr);
+    if (mesa == nullptr) throw RunError("OSMesa gives no OpenGL 3.2 core context; is libosmesa6 as built installed?");
+    if (!make_current()) {
+      OSMesaDestroyContext(mesa);
+      throw RunError("OSMesa does not let its OpenGL context be used");
+    }
+  }
+
+  ~Context() {
+    make_current();
+    window->Finalize();
+    OSMesaDestroyContext(mesa);
+  }
+
+  bool make_current() {
+    return OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, token_side, token_side) == GL_TRUE;
+  }
+
+  void set_up_window() {
+    vtkNew<vtkCallbackCommand> answer;
+    answer->SetClientData(this);
+    answer->SetCallback(&Context::answer_event);
+    for (const auto event :
+         {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowIsDirectEvent,
+          vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::ErrorEvent}) {
+      window->AddObserver(event, answer);
+    }
+    window->SetOwnContext(0);
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetReadyForRendering(true);
+    window->SetFrameBlitModeToNoBlit();
+    if (!window->InitializeFromCurrentContext() || !failure.empty()) {
+      throw RunError("VTK cannot use the OSMesa context: " + failure);
+    }
+  }
+
+  static void answer_event(vtkObject* /*caller*/, unsigned long event, void* client, void* data) {
+    auto* self = static_cast<Context*>(client);
+    switch (event) {
+      case vtkCommand::WindowMakeCurrentEvent:
+        if (OSMesaGetCurrentContext() != self->mesa) self->make_current();
+        break;
+      case vtkCommand::WindowIsCurrentEvent:
+        *static_cast<bool*>(data) = OSMesaGetCurrentContext() == self->mesa;
+        break;
+      case vtkCommand::ErrorEvent:
+        self->failure = data == nullptr ? "VTK gives no reason" : static_cast<const char*>(data);
+        break;
+      default:  // is it direct, does it support OpenGL
+        *static_cast<int*>(data) = 1;
+        break;
+    }
+  }
+};
+
+OffscreenWindow::OffscreenWindow(int width, int height) : width_(width), height_(height) {
+  check_size(width, height);
+  context_ = std::make_unique<Context>();
+  context_->window->SetSize(width, height);
+  context_->set_up_window();
+}
+
+OffscreenWindow::~OffscreenWindow() = default;
+
+vtkRenderWindow* OffscreenWindow::window() const { return context_->window; }
+
+void OffscreenWindow::resize(int width, int height) {
+  check_size(width, height);
+  width_ = width;
+  height_ = height;
+  context_->window->SetSize(width, height);
+}
+
+void OffscreenWindow::render() {
+  context_->window->Render();
+  if (!context_->failure.empty()) throw RunError("VTK failed to draw: " + context_->failure);
+}
+
+const std::vector<std::uint8_t>& OffscreenWindow::rgba() {
+  pixels_.resize(static_cast<std::size_t>(width_) * height_ * 4);
+  vtkNew<vtkUnsignedCharArray> view;
+  view->SetNumberOfComponents(4);
+  view->SetArray(pixels_.data(), static_cast<vtkIdType>(pixels_.size()), 1);
+  constexpr int back_buffer = 0;
+  if (context_->window->GetRGBACharPixelData(0, 0, width_ - 1, height_ - 1, back_buffer, view) == 0) {
+    throw RunError("VTK cannot read the picture back");
+  }
+  return pixels_;
+}
+
+float OffscreenWindow::depth(int column, int row) const {
+  vtkNew<vtkFloatArray> value;
+  if (context_->window->GetZbufferData(column, row, column, row, value) == 0)
+    throw RunError("VTK cannot read the depth");
+  return value->GetValue(0);
+}
+
+}  // namespace packstone::viz

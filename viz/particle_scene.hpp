@@ -1,0 +1,58 @@
+// A snapshot as a picture in space: shaded spheres, the container, and what is needed to read them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/snapshot.hpp"
+#include "viz/camera.hpp"
+#include "viz/colouring.hpp"
+#include "viz/image.hpp"
+
+namespace packstone::viz {
+
+struct UnitSpace;
+
+struct PictureOptions {
+  int width = 1920;                 ///< [px]
+  int height = 1080;                ///< [px]
+  int supersampling = 2;            ///< every pixel is the mean of so many squared
+  std::string color = "type";       ///< see colour_names()
+  std::optional<ValueRange> range;  ///< of the colour scale, SI; for movies, as the default is each frame's own
+  View view = View::iso;
+  std::string title;
+  bool legend = true;
+  bool time = true;
+  bool container = true;
+  bool scale = true;  ///< lengths of the box's edges (iso), or a scale bar
+  bool axes = true;   ///< directions of x, y, z
+  bool cull = true;   ///< leaves out hidden particles first: the same picture, faster
+};
+
+/// Draws snapshots, one after the other, with the same options.
+class ParticlePainter {
+ public:
+  /// Throws InputError when the size, times super-sampling, is out of range (offscreen.hpp).
+  explicit ParticlePainter(const PictureOptions& options);
+  ~ParticlePainter();
+
+  /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by.
+  Image paint(const Snapshot& snapshot);
+
+  /// The point [m] of a particle or wall seen at the middle of a pixel of the last picture; nothing on the ground.
+  std::optional<Vec3> surface_point(int column, int row) const;
+
+ private:
+  struct Stage;
+
+  void draw_spheres(const Snapshot& snapshot, const UnitSpace& space, const Colouring& colouring, const Camera& camera);
+
+  PictureOptions options_;
+  std::unique_ptr<Stage> stage_;
+};
+
+/// One picture.
+Image draw_particles(const Snapshot& snapshot, const PictureOptions& options);
+
+}  // namespace packstone::viz

@@ -1,0 +1,24 @@
+#include "viz/save_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "viz/drawing_painter.hpp"
+#include "viz/svg.hpp"
+
+namespace packstone::viz {
+
+void save_drawing(const std::filesystem::path& path, const Drawing& drawing, int supersampling,
+                  const std::string& title, const PngText& text) {
+  const std::string ending = path.extension().string();
+  if (ending == ".svg") {
+    write_text_file(path, svg_text(drawing, title));
+  } else if (ending == ".png") {
+    write_png(path, draw_image(drawing, supersampling), text);
+  } else {
+    throw InputError(fmt::format("{}: the ending is neither .png nor .svg", path.string()));
+  }
+}
+
+}  // namespace packstone::viz

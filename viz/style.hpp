@@ -1,0 +1,38 @@
+// Colours and sizes that all pictures share: safe for colour-blind readers and for grey print, on white paper.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace packstone::viz {
+
+struct Colour {
+  std::uint8_t r = 0;
+  std::uint8_t g = 0;
+  std::uint8_t b = 0;
+
+  bool operator==(const Colour&) const = default;
+};
+
+inline constexpr Colour paper = {255, 255, 255};
+inline constexpr Colour ink = {34, 34, 34};            ///< text, axes
+inline constexpr Colour faint_ink = {150, 150, 150};   ///< periodic sides, grid
+inline constexpr Colour plate_fill = {232, 232, 232};  ///< walls that lie behind the particles
+inline constexpr Colour no_value = {190, 190, 190};    ///< particles whose value is not a number
+
+/// Fill colour of a category, Okabe and Ito's set (https://jfly.uni-koeln.de/color/) in an order whose neighbours also
+/// differ in grey. Begins anew after the last.
+Colour category_colour(std::size_t index);
+
+/// The same set for lines: without those too light on white.
+Colour line_colour(std::size_t index);
+/// Lines of the same colour differ by their round through the set: 0 for the first.
+std::size_t line_round(std::size_t index);
+
+/// Viridis, from dark blue at t = 0 to yellow at t = 1; t outside is clamped, NaN gives no_value.
+Colour sequential_colour(double t);
+
+/// Height of the letters' body for a picture of this size [px].
+double font_size(int width, int height);
+
+}  // namespace packstone::viz
