@@ -12,7 +12,7 @@ usage="usage: ./setup.sh [build|demo|test]
 build_packages=(g++ make cmake ninja-build git ca-certificates)
 library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
                   libvtk9-dev libosmesa6-dev)
-program_packages=(ffmpeg)
+program_packages=(ffmpeg fonts-dejavu-core)
 test_packages=(catch2 python3-h5py)
 
 say() { printf '\n== %s\n' "$*"; }

@@ -49,8 +49,13 @@ void CellGrid::build(const Domain& domain, const VectorArray& position, std::siz
   }
   for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   sorted_.resize(count);
+  sorted_position_.resize(count);
   std::vector<std::int32_t> fill(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < count; ++i) sorted_[fill[cell_of[i]]++] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t k = fill[cell_of[i]]++;
+    sorted_[k] = static_cast<std::int32_t>(i);
+    sorted_position_[k] = position.get(i);
+  }
 }
 
 }  // namespace packstone::engine

@@ -17,8 +17,8 @@ class CellGrid {
   /// Sorts all positions, which lie inside the box along periodic axes. cutoff [m].
   void build(const Domain& domain, const VectorArray& position, std::size_t count, double cutoff);
 
-  /// Calls visit(j) for every particle in the cells around a point, each cell once, in an order that depends on the
-  /// positions alone.
+  /// Calls visit(j, position of j) for every particle in the cells around a point, each cell once, in an order that
+  /// depends on the positions alone.
   template <class Visit>
   void for_each_near(const Vec3& point, Visit&& visit) const {
     std::array<std::array<int, 3>, 3> around;  // cell numbers along each axis
@@ -28,7 +28,7 @@ class CellGrid {
       for (int b = 0; b < count[1]; ++b) {
         for (int a = 0; a < count[0]; ++a) {
           const std::size_t cell = index(around[0][a], around[1][b], around[2][c]);
-          for (std::int32_t k = first_[cell]; k < first_[cell + 1]; ++k) visit(sorted_[k]);
+          for (std::int32_t k = first_[cell]; k < first_[cell + 1]; ++k) visit(sorted_[k], sorted_position_[k]);
         }
       }
     }
@@ -43,8 +43,9 @@ class CellGrid {
   Domain domain_;
   std::array<int, 3> cells_ = {1, 1, 1};
   Vec3 cells_per_metre_ = Vec3::Ones();
-  std::vector<std::int32_t> first_;   ///< where each cell begins in sorted_
-  std::vector<std::int32_t> sorted_;  ///< particles, cell by cell, ascending within one
+  std::vector<std::int32_t> first_;    ///< where each cell begins in sorted_
+  std::vector<std::int32_t> sorted_;   ///< particles, cell by cell, ascending within one
+  std::vector<Vec3> sorted_position_;  ///< of the same [m], so that a cell is read in one go
 };
 
 }  // namespace packstone::engine

@@ -1,5 +1,7 @@
 #include "engine/detection/neighbour_list.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/threads.hpp"
@@ -9,7 +11,9 @@ namespace packstone::engine {
 namespace {
 
 /// Margin between surfaces as a share of the largest radius: wider lists are built less often and read longer.
-constexpr double margin_share = 0.15;
+constexpr double margin_share = 0.3;
+
+constexpr std::size_t block_size = 128;  ///< particles whose rows one thread finds in one go
 
 /// Number of an image whose shift is (a, b, c) box lengths, each -1, 0 or 1.
 std::int32_t image_number(int a, int b, int c) { return (c + 1) * 9 + (b + 1) * 3 + (a + 1); }
@@ -29,48 +33,56 @@ double NeighbourList::least_periodic_side(double largest_radius) {
   return 2 * (2 * largest_radius + margin_share * largest_radius);
 }
 
-template <class Visit>
-void NeighbourList::for_each_candidate(const Particles& particles, std::size_t i, double scale, Visit&& visit) const {
+void NeighbourList::append_neighbours(const Particles& particles, std::size_t i, double scale,
+                                      std::vector<Neighbour>& row) const {
   const Vec3 here = particles.now.position.get(i);
   const Vec3 side = domain_.size();
-  grid_.for_each_near(here, [&](std::int32_t j) {
-    if (static_cast<std::size_t>(j) == i) return;
-    Vec3 d = here - particles.now.position.get(j);
+  const double farthest = scale * (particles.radius[i] + largest_radius_) + margin_;
+  grid_.for_each_near(here, [&](std::int32_t j, const Vec3& there) {
+    Vec3 d = here - there;
     std::array<int, 3> image = {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
       if (!domain_.periodic[axis] || std::abs(d[axis]) <= 0.5 * side[axis]) continue;
       image[axis] = d[axis] > 0 ? 1 : -1;
       d[axis] -= image[axis] * side[axis];
     }
+    const double squared = d.squaredNorm();
+    if (squared >= farthest * farthest || static_cast<std::size_t>(j) == i) return;
     const double reach = scale * (particles.radius[i] + particles.radius[j]) + margin_;
-    if (d.squaredNorm() < reach * reach) visit(Neighbour{j, image_number(image[0], image[1], image[2])});
+    if (squared < reach * reach) row.push_back({j, image_number(image[0], image[1], image[2])});
   });
 }
 
 void NeighbourList::build(Particles& particles, const Growth& growth) {
-  const auto n = static_cast<std::ptrdiff_t>(particles.size());
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    particles.now.position.set(i, domain_.wrapped(particles.now.position.get(i)));
-  }
+  const std::size_t n = particles.size();
+  for (std::size_t i = 0; i < n; ++i) particles.now.position.set(i, domain_.wrapped(particles.now.position.get(i)));
   reference_ = particles.now.position;
   built_scale_ = growth.scale;
   ++builds_;
-  grid_.build(domain_, reference_, particles.size(), 2 * growth.scale * largest_radius_ + margin_);
+  grid_.build(domain_, reference_, n, 2 * growth.scale * largest_radius_ + margin_);
 
-  // The first pass counts, the second fills: no thread needs a list of its own, and the order is always the same.
-  first_.assign(particles.size() + 1, 0);
-#pragma omp parallel for schedule(static) num_threads(useful_threads(particles.size()))
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    std::size_t count = 0;
-    for_each_candidate(particles, i, growth.scale, [&](const Neighbour&) { ++count; });
-    first_[i + 1] = count;
+  // Rows of a block are found into the block's own store, then all are laid end to end: the same list for any threads.
+  const auto blocks = static_cast<std::ptrdiff_t>((n + block_size - 1) / block_size);
+  found_.resize(static_cast<std::size_t>(blocks));
+  first_.assign(n + 1, 0);
+#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
+  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+    found_[b].clear();
+    for (std::size_t i = b * block_size; i < std::min<std::size_t>((b + 1) * block_size, n); ++i) {
+      append_neighbours(particles, i, growth.scale, found_[b]);
+      first_[i + 1] = found_[b].size();
+    }
   }
-  for (std::ptrdiff_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    first_[i + 1] += before;
+    if ((i + 1) % block_size == 0) before = first_[i + 1];
+  }
   entries_.resize(first_.back());
-#pragma omp parallel for schedule(static) num_threads(useful_threads(particles.size()))
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    std::size_t k = first_[i];
-    for_each_candidate(particles, i, growth.scale, [&](const Neighbour& neighbour) { entries_[k++] = neighbour; });
+#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
+  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+    std::copy(found_[b].begin(), found_[b].end(),
+              entries_.begin() + static_cast<std::ptrdiff_t>(first_[b * block_size]));
   }
 }
 

@@ -44,8 +44,7 @@ class NeighbourList {
   std::int64_t builds() const { return builds_; }
 
  private:
-  template <class Visit>
-  void for_each_candidate(const Particles& particles, std::size_t i, double scale, Visit&& visit) const;
+  void append_neighbours(const Particles& particles, std::size_t i, double scale, std::vector<Neighbour>& row) const;
 
   Domain domain_;
   double largest_radius_;
@@ -56,6 +55,7 @@ class NeighbourList {
   VectorArray reference_;
   std::vector<std::size_t> first_;
   std::vector<Neighbour> entries_;
+  std::vector<std::vector<Neighbour>> found_;  ///< by block of particles, before they are laid end to end
   std::vector<Vec3> shifts_;
 };
 

@@ -4,7 +4,11 @@
 // velocity, which feeds energy into contacts with friction.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "engine/contact/pair_table.hpp"
 #include "engine/dynamics/step.hpp"
@@ -131,8 +135,8 @@ class NewtonianStep final : public Dynamics {
 
   /// Adds one contact's force and torque on the first body.
   template <bool record>
-  void touch(const Body& first, const Body& second, const Place& at, Vec3* spring, const StepInput& in,
-             Recorder* recorder, Load& load, Block& out) const {
+  [[gnu::always_inline]] void touch(const Body& first, const Body& second, const Place& at, Vec3* spring,
+                                    const StepInput& in, Recorder* recorder, Load& load, Block& out) const {
     const Vec3 relative = first.velocity - second.velocity;
     const double growth_rate = in.growth.rate * (first.radius + second.radius);
     const double rate = growth_rate - relative.dot(at.normal);
@@ -184,8 +188,8 @@ class NewtonianStep final : public Dynamics {
   }
 
   template <bool record>
-  void move(Particles& p, std::size_t i, const Load& load, const StepInput& in, Recorder* recorder,
-            StepSums& sums) const {
+  [[gnu::always_inline]] void move(Particles& p, std::size_t i, const Load& load, const StepInput& in,
+                                   Recorder* recorder, StepSums& sums) const {
     const Vec3 before = p.half_velocity.get(i);
     const Vec3 acceleration = p.inverse_mass[i] * load.force + in.gravity;
     const Vec3 half = before + in.dt * acceleration;

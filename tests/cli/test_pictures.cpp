@@ -1,8 +1,9 @@
 // The picture verbs from the outside: what they write, and one line for each wrong call.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+
+#include <catch2/catch.hpp>
 
 #include "command.hpp"
 #include "core/files.hpp"
@@ -76,7 +77,8 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.mp4") + " --size 321x240",
         "render " + run.path + run.out("x.mp4") + " --frames 4:1",
         "render " + run.path + run.out("x.png") + " --size 20000x100",
-        "slice " + run.path + run.out("x.png") + " --plane w=1", "slice " + run.path + run.out("x.png") + " --plane z=9",
+        "slice " + run.path + run.out("x.png") + " --plane w=1",
+        "slice " + run.path + run.out("x.png") + " --plane z=9",
         "plot " + run.path + run.out("x.png") + " --what enrgy", "report " + run.path + run.out("x.pdf"),
         "render /no/such/run" + run.out("x.png")}) {
     const auto result = packstone_command(call);
@@ -84,7 +86,8 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
     CHECK(result.exit_code == 2);
     CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
     CHECK_THAT(result.output, StartsWith("packstone: error: "));
-    for (const char* name : {"x.png", "x.mp4", "x.jpg", "x.pdf"}) CHECK_FALSE(std::filesystem::exists(run.folder / name));
+    for (const char* name : {"x.png", "x.mp4", "x.jpg", "x.pdf"})
+      CHECK_FALSE(std::filesystem::exists(run.folder / name));
   }
   const auto unwritable = packstone_command("render " + run.path + " -o /proc/x.png --size 64x64");
   CHECK(unwritable.exit_code != 0);
