@@ -97,7 +97,9 @@ void add_analyze(CLI::App& app) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
   verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
-  verb->add_option("--only", options->only, "Measures to take, by comma; see --list")->delimiter(',');
+  verb->add_option("--only", options->only, "Measures to take, by comma; see --list")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--at", options->at, "last, first, all, a number, or t=SECONDS")->capture_default_str();
   verb->add_option("--json", options->json, "Write JSON to a file; - for standard output");
   verb->add_option("--csv", options->csv, "Write CSV tables into a folder");

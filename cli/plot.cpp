@@ -56,7 +56,10 @@ void add_plot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
   CLI::App* verb = app.add_subcommand("plot", "Draw charts over time and over height, of one or several runs");
   verb->add_option("paths", options->paths, "Run folders")->required();
-  verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))->delimiter(',')->required();
+  verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
   verb->add_option("-o,--output", options->output, "x.png or x.svg; a folder for several charts")->required();
   verb->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
   verb->callback([options] { plot(*options); });

@@ -2,6 +2,7 @@
 
 #include "viz/report.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr int picture_side = 1000;  ///< of pictures in the page [px]
 constexpr std::size_t most_table_rows = 60;
+constexpr double filling_rounding = 1e-9;  ///< of the filling's duration, for times that are multiples of a step
 
 struct ReportOptions {
   std::vector<fs::path> paths;
@@ -58,16 +60,31 @@ class PictureFolder {
   int count_ = 0;
 };
 
+/// The first snapshot after the filling, or the last one of a run that did not get so far.
+std::size_t filled_snapshot(const RunReader& run, double filling_duration) {
+  std::size_t index = 0;
+  while (index + 1 < run.snapshot_count() && run.times()[index] < filling_duration * (1 - filling_rounding)) ++index;
+  return index;
+}
+
 ReportedMeasures measure(const RunReader& run) {
   const Scene scene = parse_scene(run.scene_text(), (run.path() / "scene.toml").string());
   ReportedMeasures m;
-  const Snapshot filled = run.snapshot(run.index_at(fmt::format("t={}", scene.filling.duration)));
+  const Snapshot filled = run.snapshot(filled_snapshot(run, scene.filling.duration));
   const Snapshot end = run.snapshot(run.index_at("last"));
   m.filled_time = filled.time;
+  m.filling_over = filled.time >= scene.filling.duration * (1 - filling_rounding);
   m.filled = analysis::analyze(filled);
   m.end_time = end.time;
   m.end = analysis::analyze(end);
   return m;
+}
+
+/// Whether the layers' composition exists: it takes two types.
+bool has_composition(const ReportedMeasures& m) {
+  return std::any_of(m.end.begin(), m.end.end(), [](const auto& result) {
+    return result.name == "segregation" && result.table("composition") != nullptr;
+  });
 }
 
 viz::ReportSection about(const RunReader& run) {
@@ -113,7 +130,8 @@ viz::ReportSection pictures(const RunReader& run, const ReportedMeasures& m, Pic
   viz::ReportSection section{"Pictures", {}, {}, {}, ""};
   section.images = {
       space_picture(run, fmt::format("t={}", m.filled_time), viz::View::iso,
-                    fmt::format("After the filling, t = {:g} s.", m.filled_time), folder),
+                    fmt::format("{} the filling, t = {:g} s.", m.filling_over ? "After" : "During", m.filled_time),
+                    folder),
       space_picture(run, "last", viz::View::iso, fmt::format("At the end, t = {:g} s.", m.end_time), folder),
       space_picture(run, "last", viz::View::top, "The surface from above, at the end.", folder),
       space_picture(run, "last", viz::View::bottom, "The bottom from below, at the end.", folder),
@@ -121,9 +139,10 @@ viz::ReportSection pictures(const RunReader& run, const ReportedMeasures& m, Pic
   return section;
 }
 
-viz::ReportSection charts(const std::vector<RunReader>& runs, PictureFolder& folder) {
+viz::ReportSection charts(const std::vector<RunReader>& runs, bool with_composition, PictureFolder& folder) {
   viz::ReportSection section{"Charts", {}, {}, {}, ""};
   for (const char* name : {"energy", "account", "packing", "coordination", "composition", "profile"}) {
+    if (name == std::string("composition") && !with_composition) continue;
     viz::Chart chart = make_chart(name, runs);
     chart.options.width = picture_side;
     chart.options.height = picture_side * 3 / 4;
@@ -181,7 +200,7 @@ viz::Report report_of_one(const RunReader& run, PictureFolder& folder) {
       {}};
   report.sections.push_back({"What the run shows", findings(run, m), {}, {}, ""});
   report.sections.push_back(pictures(run, m, folder));
-  report.sections.push_back(charts({run}, folder));
+  report.sections.push_back(charts({run}, has_composition(m), folder));
   report.sections.push_back(measures(m));
   report.sections.push_back(tables(m));
   report.sections.push_back(about(run));
@@ -192,15 +211,17 @@ viz::Report report_of_several(const std::vector<RunReader>& runs, PictureFolder&
   viz::Report report{"Comparison of " + fmt::format("{} runs", runs.size()), "", {}};
   std::vector<std::string> labels;
   std::vector<std::vector<analysis::MeasureResult>> results;
+  bool composed = true;
   for (const auto& run : runs) {
     const ReportedMeasures m = measure(run);
+    composed = composed && has_composition(m);
     labels.push_back(run_label(run));
     results.push_back(m.end);
     report.sections.push_back({"What " + run_label(run) + " shows", findings(run, m), {}, {}, ""});
   }
   const Comparison comparison = compare(labels, results);
   report.sections.push_back({"Side by side, at the end", {}, {{"", comparison.columns, comparison.rows}}, {}, ""});
-  report.sections.push_back(charts(runs, folder));
+  report.sections.push_back(charts(runs, composed, folder));
   for (const auto& run : runs) {
     report.sections.push_back(about(run));
     report.sections.back().title += " " + run_label(run);

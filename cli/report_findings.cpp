@@ -16,9 +16,10 @@ using analysis::MeasureResult;
 using analysis::Quantity;
 using Results = std::vector<MeasureResult>;
 
-constexpr double significant_z = 3;      ///< deviations further off than this are not chance
-constexpr double rest_threshold = 5e-5;  ///< of kinetic energy over the sum of m g d
-constexpr double account_share = 0.1;    ///< of the energy put in, beyond which the account is said to be open
+constexpr double weakly_segregated = 0.9;  ///< Lacey's index above which a bed is called mostly mixed
+constexpr double significant_z = 3;        ///< deviations further off than this are not chance
+constexpr double rest_threshold = 5e-5;    ///< of kinetic energy over the sum of m g d
+constexpr double account_share = 0.1;      ///< of the energy put in, beyond which the account is said to be open
 
 std::string text(const Results& results, const char* measure, const char* key) {
   const Quantity& q = quantity(results, measure, key);
@@ -47,16 +48,21 @@ std::string packing(const ReportedMeasures& m) {
 std::string segregation(const ReportedMeasures& m) {
   const Quantity& before = quantity(m.filled, "segregation", "lacey");
   const Quantity& after = quantity(m.end, "segregation", "lacey");
-  if (!after.value || !before.value) return "Segregation by layers does not apply: " + after.note + ".";
+  if (!after.value || !before.value) {
+    return "Segregation by layers does not apply: " + (after.value ? before : after).note + ".";
+  }
   const double z_before = quantity(m.filled, "segregation", "lacey_z").value.value_or(0);
   const double z_after = quantity(m.end, "segregation", "lacey_z").value.value_or(0);
   return fmt::format(
-      "Lacey's index (1: mixed at random, 0: separated) is {} right after the filling (t = {:g} s, {:.1f} standard "
+      "Lacey's index (1: mixed at random, 0: separated) is {} {} the filling (t = {:g} s, {:.1f} standard "
       "deviations from random mixing) and {} at the end ({:.1f}). {} The centres of the types are {} apart in height.",
-      analysis::value_text(before), m.filled_time, z_before, analysis::value_text(after), z_after,
+      analysis::value_text(before), m.filling_over ? "right after" : "during", m.filled_time, z_before,
+      analysis::value_text(after), z_after,
       std::abs(z_after) < significant_z ? "The bed as a whole is as mixed as chance would have it."
-      : *after.value > 0.9 ? "So the bed is segregated beyond chance, but weakly: most of it is still mixed."
-                           : "So the bed is segregated.",
+      : z_after > 0 ? "The layers are more alike than chance would have it."
+      : *after.value > weakly_segregated
+          ? "So the bed is segregated beyond chance, but weakly: most of it is still mixed."
+          : "So the bed is segregated.",
       text(m.end, "segregation", "height_difference"));
 }
 
@@ -97,11 +103,15 @@ std::string clusters(const ReportedMeasures& m) {
       text(m.end, "clusters", "largest_random"), z, text(m.end, "clusters", "like_contact_share"),
       text(m.end, "clusters", "like_contact_share_random"),
       std::abs(z) < significant_z ? "The clusters seen in a picture are those of chance."
-                                  : "Like particles are together more than chance would have it.");
+      : z > 0                     ? "Like particles are together more than chance would have it."
+                                  : "Like particles are together less than chance would have it.");
 }
 
 std::string account(const RunReader& run) {
   const History h = run.history();
+  if (h.rows() == 0 || h.column("growth_work").back() + h.column("gravity_work").back() <= 0) {
+    return "Nothing has put energy in yet.";
+  }
   const double input = h.column("growth_work").back() + h.column("gravity_work").back();
   const double error = h.column("energy_error").back();
   return fmt::format(

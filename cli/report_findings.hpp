@@ -11,6 +11,7 @@ namespace packstone::cli {
 
 /// The measures of the two instants a report speaks of.
 struct ReportedMeasures {
+  bool filling_over = false;                    ///< whether the run got that far; if not, filled is the last snapshot
   double filled_time = 0;                       ///< when the filling was over [s]
   std::vector<analysis::MeasureResult> filled;  ///< then
   double end_time = 0;                          ///< [s]

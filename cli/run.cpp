@@ -30,7 +30,8 @@ void run(const RunOptions& options) {
   const Scene scene = read_scene(options.scene, options.overrides);
   std::filesystem::path folder = options.folder;
   if (folder.empty())
-    folder = std::filesystem::path("runs") / std::filesystem::absolute(options.scene).parent_path().filename();
+    folder = std::filesystem::path("runs") /
+             std::filesystem::absolute(options.scene).lexically_normal().parent_path().filename();
 
   catch_interrupts();
   engine::RunControl control;

@@ -41,7 +41,7 @@ History read_history(const std::filesystem::path& path) {
   History history;
   if (std::getline(lines, line)) history.columns = cells(line);
   history.values.resize(history.columns.size());
-  for (int number = 2; std::getline(lines, line); ++number) {
+  for (int number = 2; std::getline(lines, line) && !lines.eof(); ++number) {  // a row cut short by a kill has no end
     const auto row = cells(line);
     if (row.size() != history.columns.size()) {
       throw InputError(fmt::format("{}:{}: {} values, but the header names {}", path.string(), number, row.size(),

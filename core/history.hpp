@@ -18,6 +18,7 @@ struct History {
   const std::vector<double>& column(const std::string& name) const;
 };
 
+/// A last row without its line end, as a kill leaves it, is left out.
 /// Throws InputError with file and line when a row is not as long as the header or not a number.
 History read_history(const std::filesystem::path& path);
 

@@ -131,7 +131,7 @@ std::string scene_reference_text() {
     if (!table.heading.empty()) text += fmt::format("{}  {}\n", table.heading, table.help);
     for (const auto& key : table.keys) {
       const std::string value = key.required ? "required" : (key.default_value.empty() ? "" : "= " + key.default_value);
-      text += fmt::format("  {:<22}{:<26}{:<14}{}{}\n", key.key, key.type, value, key.help,
+      text += fmt::format("  {:<22}{:<26}{:<20}{}{}\n", key.key, key.type, value, key.help,
                           key.allowed.empty() ? "" : " (" + key.allowed + ")");
     }
   }

@@ -40,7 +40,10 @@ void prepare_folder(const fs::path& path, bool overwrite) {
       throw InputError(path.string() +
                        ": holds a run already; name another folder with -o, or replace it with --overwrite");
     }
-    for (const char* part : {"scene.toml", "run.json", "history.csv", "snapshots"}) fs::remove_all(path / part, error);
+    for (const char* part : {"snapshots", "history.csv", "scene.toml", "run.json"}) {
+      fs::remove_all(path / part, error);
+      if (error) throw InputError((path / part).string() + ": cannot be replaced: " + error.message());
+    }
   }
   fs::create_directories(path / "snapshots", error);
   std::ofstream probe(path / ".writable");

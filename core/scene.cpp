@@ -148,6 +148,15 @@ void check_names(const Scene& s) {
   }
 }
 
+void check_damping_kinds(const Scene& s) {
+  if (s.contact.normal != NormalModel::linear) return;
+  for (std::size_t k = 1; k < s.materials.size(); ++k) {
+    if (s.materials[k].restitution.has_value() == s.materials.front().restitution.has_value()) continue;
+    s.fail(fmt::format("material[{}]", k),
+           "with contact.normal = \"linear\" all materials give normal_damping, or all give restitution");
+  }
+}
+
 void check_materials(const Scene& s) {
   for (std::size_t k = 0; k < s.materials.size(); ++k) {
     const MaterialSpec& m = s.materials[k];
@@ -168,6 +177,19 @@ void check_materials(const Scene& s) {
     }
     if (s.contact.tangential == TangentialModel::cundall_strack && !m.tangential_stiffness) {
       s.fail(path, "needs tangential_stiffness for contact.tangential = \"cundall-strack\"");
+    }
+  }
+}
+
+/// A wall that leans towards a periodic side would stand elsewhere in every image.
+void check_walls(const Scene& s) {
+  const Domain box = s.box();
+  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!box.periodic[axis] || s.boundaries[k].normal[axis] == 0) continue;
+      s.fail(fmt::format("boundary[{}].normal", k),
+             fmt::format("has a component along {}, which is periodic; make the axis not periodic, or the component 0",
+                         axes[axis]));
     }
   }
 }
@@ -267,7 +289,9 @@ Scene parse_scene(const std::string& text, const std::string& source_name, const
   fill_defaults(scene);
   check_names(scene);
   check_materials(scene);
+  check_damping_kinds(scene);
   check_domain(scene);
+  check_walls(scene);
   return scene;
 }
 

@@ -74,7 +74,8 @@ struct Snapshot {
 
   std::size_t size() const { return position.size(); }
 
-  /// Mass of the particle in a row from its radius and its group's density [kg].
+  /// Mass of the particle in a row from its radius at this instant and its group's density [kg]. While radii grow the
+  /// engine moves the mass of the full size instead.
   double mass(std::size_t row) const;
 
   /// Row of every id that occurs.

@@ -75,6 +75,8 @@ std::optional<Factor> unit_expression(std::string_view text) {
     if (text.front() == '/') {
       sign = -1;
       text.remove_prefix(1);
+      const std::size_t next = text.find_first_not_of(' ');
+      if (next == std::string_view::npos || text[next] == '/') return std::nullopt;  // a slash divides by something
       continue;
     }
     const std::string_view word = text.substr(0, text.find_first_of(" */"));

@@ -62,13 +62,11 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
   SimulationEvents events;
   events.snapshot = [&](const Snapshot& snapshot) { writer.write_snapshot(snapshot); };
   events.history = [&](const auto& columns, const auto& row) { writer.append_history(columns, row); };
-  events.progress = [&](std::int64_t step, std::int64_t steps, double time) {
-    record.steps = step;
-    if (control.progress) control.progress(step, steps, time);
-  };
+  events.progress = control.progress;
   events.should_stop = control.should_stop;
 
   const auto finish = [&](RunStatus status, const std::string& reason) {
+    record.steps = simulation.steps_done();
     record.status = status;
     record.reason = reason;
     record.warnings = simulation.warnings();
@@ -77,11 +75,13 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
   };
   try {
     simulation.run(events);
-  } catch (const Interrupted& stop) {
-    finish(RunStatus::interrupted, stop.what());
-    throw;
-  } catch (const std::exception& failure) {
-    finish(RunStatus::failed, failure.what());
+  } catch (const std::exception& end) {
+    const bool interrupted = dynamic_cast<const Interrupted*>(&end) != nullptr;
+    try {
+      finish(interrupted ? RunStatus::interrupted : RunStatus::failed, end.what());
+    } catch (const RunError&) {
+      // A full disk is often what ended the run; its message is the one to pass on.
+    }
     throw;
   }
   finish(RunStatus::finished, "");

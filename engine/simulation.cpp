@@ -9,6 +9,7 @@
 #include "core/bed.hpp"
 #include "core/bed_frame.hpp"
 #include "core/error.hpp"
+#include "core/geometry.hpp"
 #include "core/version.hpp"
 #include "engine/filling/growth.hpp"
 #include "engine/history_row.hpp"
@@ -35,6 +36,13 @@ Domain checked_domain(const Scene& scene) {
   }
   check_growth_volume(scene, domain);
   return domain;
+}
+
+/// Solid volume over the domain's: the fraction where the domain repeats along up and there is no bed.
+double solid_share(const Snapshot& s) {
+  double solid = 0;
+  for (const double radius : s.radius) solid += sphere_volume(radius);
+  return solid / s.domain.size().prod();
 }
 
 std::vector<double> flattened(const std::vector<Vec3>& rows) {
@@ -92,6 +100,7 @@ void Simulation::run(const SimulationEvents& events) {
   const std::int64_t history_steps = steps_in(scene_.output.history_interval);
   Recorder recorder;
   for (std::int64_t number = 0; number <= steps_; ++number) {
+    steps_done_ = number;
     const bool stop = events.should_stop && events.should_stop();
     const bool last = stop || number == steps_;
     const bool want_snapshot = last || number % snapshot_steps == 0;
@@ -125,14 +134,17 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   if (events.history) {
     const Snapshot bed = geometry(number);
     const BedFrame frame = bed_frame(bed);
+    Vec3 zero_level = domain_.min;
+    zero_level[frame.axis] = frame.floor;
     double gravitational = 0;
     const bool acts = scene_.gravity.present && time >= scene_.gravity.start;
     for (std::size_t i = 0; acts && i < particles_.size(); ++i) {
-      gravitational += frame.height[i] * std::abs(scene_.gravity.acceleration[frame.axis]) / particles_.inverse_mass[i];
+      gravitational -= scene_.gravity.acceleration.dot(bed.position[i] - zero_level) / particles_.inverse_mass[i];
     }
+    const BedState state =
+        frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
     events.history(history_columns(),
-                   history_row(number, time, account, sums, gravitational,
-                               measure_bed(frame.height, bed.radius, frame.area), particles_.size()));
+                   history_row(number, time, account, sums, gravitational, state, particles_.size()));
   }
   if (want_snapshot && events.snapshot) events.snapshot(snapshot(number, recorder));
 }
@@ -168,7 +180,10 @@ Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) con
       s.fields["angular_velocity"] = {3, "rad/s", std::move(values)};
     }
   }
-  if (scene_.output.contacts) s.contacts = recorder.contacts;
+  if (scene_.output.contacts) {
+    s.contacts = recorder.contacts;
+    for (Vec3& point : s.contacts->point) point = domain_.wrapped(point);
+  }
   for (const auto& material : scene_.materials) s.material_names.push_back(material.name);
   for (const auto& group : scene_.particles) {
     s.groups.push_back({group.name, group.material, scene_.materials[scene_.material_index(group.material)].density});

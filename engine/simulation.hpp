@@ -37,7 +37,8 @@ class Simulation {
   /// The scene as it is run: "auto" replaced by what was chosen.
   const Scene& scene() const { return scene_; }
   std::int64_t steps() const { return steps_; }
-  std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
+  /// How far run() has come.
+  std::int64_t steps_done() const { return steps_done_; }
 
  private:
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
@@ -58,6 +59,7 @@ class Simulation {
   std::vector<std::string> warnings_;
   double dt_ = 0;
   std::int64_t steps_ = 0;
+  std::int64_t steps_done_ = 0;
   Particles particles_;
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;

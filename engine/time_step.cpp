@@ -1,5 +1,6 @@
 #include "engine/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,12 +9,15 @@
 #include "core/geometry.hpp"
 #include "engine/contact/collision.hpp"
 #include "engine/contact/pair_table.hpp"
+#include "engine/dynamics/step.hpp"
 
 namespace packstone::engine {
 
 namespace {
 
-constexpr double packing_share = 0.17;  ///< of sqrt(m/k), for a sphere with many contacts
+constexpr double packing_share = 0.17;        ///< of sqrt(m/k), for a sphere with many contacts
+constexpr double solid_sphere_sliding = 3.5;  ///< 1 + m R^2/I: the contact point's share of inertia in sliding
+constexpr double dashpot_share = 0.5;         ///< of the dashpot's limit
 
 std::string in_microseconds(double seconds) { return fmt::format("{:.3g} us", seconds * 1e6); }
 
@@ -44,18 +48,24 @@ std::vector<Candidate> candidates(const Scene& s) {
 
 StepLimit step_limit(const Scene& scene) {
   StepLimit tightest;
-  tightest.limit = std::numeric_limits<double>::infinity();
+  tightest.limit = tightest.recommended = std::numeric_limits<double>::infinity();
   for (const auto& c : candidates(scene)) {
-    const double stiffness = largest_stiffness(scene, *c.a, *c.b);
-    const double limit = 2 / std::sqrt(stiffness / c.effective_mass);
-    if (limit >= tightest.limit) continue;
+    const double m = c.effective_mass;
     const double spring = in_series(c.a->normal_stiffness, c.b->normal_stiffness);
-    tightest = {limit,
-                packing_share * std::sqrt(2 * c.effective_mass / spring),
-                undamped_contact_time(spring, c.effective_mass),
-                stiffness,
-                c.effective_mass,
-                c.pair};
+    const double tangential = rotates(scene) ? in_series(*c.a->tangential_stiffness, *c.b->tangential_stiffness) : 0.0;
+    const double steepest = std::max(largest_stiffness(scene, *c.a, *c.b), solid_sphere_sliding * tangential);
+    const double dashpot = largest_damping(scene, *c.a, *c.b, m);
+    const double dashpot_limit = dashpot > 0 ? m / dashpot : std::numeric_limits<double>::infinity();
+    const double recommended =
+        std::min(packing_share * std::sqrt(2 * m / std::max(spring, tangential)), dashpot_share * dashpot_limit);
+    tightest.recommended = std::min(tightest.recommended, recommended);
+    const double limit = std::min(2 / std::sqrt(steepest / m), dashpot_limit);
+    if (limit >= tightest.limit) continue;
+    tightest.limit = limit;
+    tightest.contact_time = undamped_contact_time(spring, m);
+    tightest.stiffness = steepest;
+    tightest.effective_mass = m;
+    tightest.pair = c.pair;
   }
   return tightest;
 }
@@ -66,7 +76,7 @@ double checked_time_step(const Scene& scene, std::vector<std::string>& warnings)
   const double dt = *scene.dynamics.time_step;
   if (dt > limit.limit) {
     scene.fail("dynamics.time_step",
-               fmt::format("{} is beyond the stability limit 2/omega = {} of the contact {} (k = {:.4g} N/m, m_eff = "
+               fmt::format("{} is beyond the stability limit {} (2/omega) of the contact {} (k = {:.4g} N/m, m_eff = "
                            "{:.4g} kg); take at most {}",
                            in_microseconds(dt), in_microseconds(limit.limit), limit.pair, limit.stiffness,
                            limit.effective_mass, in_microseconds(limit.recommended)));

@@ -44,6 +44,16 @@ void set_pair(CundallStrack::Pair& pair, const MaterialSpec& a, const MaterialSp
   pair.friction = std::sqrt(a.friction * b.friction);
 }
 
+double largest_damping(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b, double effective_mass) {
+  if (scene.contact.normal != NormalModel::linear) return 0;
+  const auto damping = [&](auto pair) {
+    set_pair(pair, a, b);
+    return pair.damping + pair.damping_per_root_mass * std::sqrt(effective_mass);
+  };
+  return scene.contact.release == Release::zero_force ? damping(Linear<Release::zero_force>::Pair{})
+                                                      : damping(Linear<Release::zero_overlap>::Pair{});
+}
+
 double largest_stiffness(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b) {
   if (scene.contact.normal == NormalModel::hysteretic) {
     Hysteretic::Pair pair;

@@ -26,6 +26,9 @@ inline void set_pair(Frictionless::Pair&, const MaterialSpec&, const MaterialSpe
 /// Stiffness that limits the time step: the steepest slope of force over overlap of a pair [N/m].
 double largest_stiffness(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b);
 
+/// Dashpot coefficient of a pair with this effective mass [kg]; 0 for laws without one [N s/m].
+double largest_damping(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b, double effective_mass);
+
 /// Parameters of a law by two material indices.
 template <class Law>
 class PairTable {

@@ -13,8 +13,6 @@ namespace {
 /// Margin between surfaces as a share of the largest radius: wider lists are built less often and read longer.
 constexpr double margin_share = 0.3;
 
-constexpr std::size_t block_size = 128;  ///< particles whose rows one thread finds in one go
-
 /// Number of an image whose shift is (a, b, c) box lengths, each -1, 0 or 1.
 std::int32_t image_number(int a, int b, int c) { return (c + 1) * 9 + (b + 1) * 3 + (a + 1); }
 
@@ -62,13 +60,13 @@ void NeighbourList::build(Particles& particles, const Growth& growth) {
   grid_.build(domain_, reference_, n, 2 * growth.scale * largest_radius_ + margin_);
 
   // Rows of a block are found into the block's own store, then all are laid end to end: the same list for any threads.
-  const auto blocks = static_cast<std::ptrdiff_t>((n + block_size - 1) / block_size);
+  const auto blocks = static_cast<std::ptrdiff_t>((n + particles_per_block - 1) / particles_per_block);
   found_.resize(static_cast<std::size_t>(blocks));
   first_.assign(n + 1, 0);
 #pragma omp parallel for schedule(static) num_threads(useful_threads(n))
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     found_[b].clear();
-    for (std::size_t i = b * block_size; i < std::min<std::size_t>((b + 1) * block_size, n); ++i) {
+    for (std::size_t i = b * particles_per_block; i < std::min<std::size_t>((b + 1) * particles_per_block, n); ++i) {
       append_neighbours(particles, i, growth.scale, found_[b]);
       first_[i + 1] = found_[b].size();
     }
@@ -76,13 +74,13 @@ void NeighbourList::build(Particles& particles, const Growth& growth) {
   std::size_t before = 0;
   for (std::size_t i = 0; i < n; ++i) {
     first_[i + 1] += before;
-    if ((i + 1) % block_size == 0) before = first_[i + 1];
+    if ((i + 1) % particles_per_block == 0) before = first_[i + 1];
   }
   entries_.resize(first_.back());
 #pragma omp parallel for schedule(static) num_threads(useful_threads(n))
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     std::copy(found_[b].begin(), found_[b].end(),
-              entries_.begin() + static_cast<std::ptrdiff_t>(first_[b * block_size]));
+              entries_.begin() + static_cast<std::ptrdiff_t>(first_[b * particles_per_block]));
   }
 }
 

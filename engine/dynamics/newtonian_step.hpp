@@ -35,11 +35,11 @@ class NewtonianStep final : public Dynamics {
   }
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
-    const auto blocks = static_cast<std::ptrdiff_t>((particles.size() + block_size - 1) / block_size);
+    const auto blocks = static_cast<std::ptrdiff_t>((particles.size() + particles_per_block - 1) / particles_per_block);
     std::vector<Block> results(blocks);
 #pragma omp parallel for schedule(static) num_threads(useful_threads(particles.size()))
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-      const std::size_t begin = b * block_size, end = std::min(begin + block_size, particles.size());
+      const std::size_t begin = b * particles_per_block, end = std::min(begin + particles_per_block, particles.size());
       for (std::size_t i = begin; i < end; ++i) {
         recorder ? advance_particle<true>(particles, i, input, recorder, results[b])
                  : advance_particle<false>(particles, i, input, recorder, results[b]);
@@ -55,8 +55,6 @@ class NewtonianStep final : public Dynamics {
   }
 
  private:
-  static constexpr std::size_t block_size = 128;
-
   struct Block {
     StepSums sums;
     Contacts contacts;

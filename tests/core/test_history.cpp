@@ -26,6 +26,11 @@ TEST_CASE("a history is read column by column") {
   CHECK_THROWS_WITH(h.column("energy"), Contains("step, time"));
 }
 
+TEST_CASE("a row that a kill cut short is left out") {
+  const testing::TemporaryFolder folder;
+  CHECK(read_history(written(folder, "a,b\n1,2\n3,4.5")).rows() == 1);
+}
+
 TEST_CASE("a damaged history is refused with file and line") {
   const testing::TemporaryFolder folder;
   CHECK_THROWS_WITH(read_history(written(folder, "a,b\n1,2\n3\n")), Contains("history.csv:3"));

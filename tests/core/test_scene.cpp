@@ -123,6 +123,14 @@ TEST_CASE("keys are checked against each other") {
   CHECK_THROWS_WITH(parse_scene(text, "s.toml"), Contains("cannot be reached with contact.release"));
 }
 
+TEST_CASE("damping of two kinds and a wall that leans to a periodic side are refused") {
+  CHECK_THAT(error_after("normal = [0, 0, 1]", "normal = [0.1, 0, 1]"),
+             Contains("component along x, which is periodic"));
+  std::string text = small_scene_with("normal = \"hysteretic\"", "normal = \"linear\"");
+  text.replace(text.find("normal_damping = 0.7"), 20, "restitution = 0.5   ");
+  CHECK_THROWS_WITH(parse_scene(text, "s.toml"), Contains("material[1]") && Contains("or all give restitution"));
+}
+
 TEST_CASE("docs/scene.md is what the program says of its keys") {
   CHECK(read_text_file(std::string(PACKSTONE_SOURCE_DIR) + "/docs/scene.md") == scene_reference_markdown());
 }

@@ -27,7 +27,8 @@ TEST_CASE("a wrong quantity is answered with the unit that would be right") {
   CHECK_THROWS_WITH(parse_quantity("20 kg", unit::metre), Contains("wrong dimension") && Contains("1 m"));
   CHECK_THROWS_WITH(parse_quantity("20 furlong", unit::metre), Contains("unknown unit"));
   CHECK_THROWS_WITH(parse_quantity("much", unit::metre), Contains("not a number"));
-  for (const char* text : {"", " ", "1e999", "nan", "inf", "2 m m/", "3 m/q", "3 m^", "3 m3x"}) {
+  for (const char* text :
+       {"", " ", "1e999", "nan", "inf", "2 m m/", "2 m/", "2 m//s", "2 m2", "3 m/q", "3 m^", "3 m3x"}) {
     INFO(text);
     CHECK_THROWS_AS(parse_quantity(text, unit::metre), InputError);
   }

@@ -1,6 +1,7 @@
 // Particles placed by hand and stepped without filling or files.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -60,6 +61,7 @@ class HandMade {
     if (turning) particles.half_angular_velocity.resize(spheres.size());
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       const Sphere& s = spheres[i];
+      scene_.particles.front().radius = std::max(scene_.particles.front().radius, s.radius);
       const double mass = s.density * 4.0 / 3.0 * std::numbers::pi * std::pow(s.radius, 3);
       particles.radius.push_back(s.radius);
       particles.inverse_mass.push_back(1 / mass);
