@@ -55,11 +55,12 @@ std::string segregation(const ReportedMeasures& m) {
   const double z_after = quantity(m.end, "segregation", "lacey_z").value.value_or(0);
   return fmt::format(
       "Lacey's index (1: mixed at random, 0: separated) is {} {} the filling (t = {:g} s, {:.1f} standard "
-      "deviations from random mixing) and {} at the end ({:.1f}). {} The centres of the types are {} apart in height.",
+      "deviations from random mixing) and {} at the end ({:.1f}). {} The types' centres are {} of the bed's height "
+      "apart.",
       analysis::value_text(before), m.filling_over ? "right after" : "during", m.filled_time, z_before,
       analysis::value_text(after), z_after,
       std::abs(z_after) < significant_z ? "The bed as a whole is as mixed as chance would have it."
-      : z_after > 0 ? "The layers are more alike than chance would have it."
+      : z_after > 0                     ? "The layers are more alike than chance would have it."
       : *after.value > weakly_segregated
           ? "So the bed is segregated beyond chance, but weakly: most of it is still mixed."
           : "So the bed is segregated.",
