@@ -1,15 +1,16 @@
 // Measure "time": how near the packing is to rest at this instant.
+#include "analysis/rest.hpp"
+
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "analysis/measures.hpp"
 
 namespace packstone::analysis {
 
 namespace {
-
-/// Kinetic energy over sum of m g d below which a packing counts as at rest: the criterion of comparable programs.
-constexpr double rest_threshold = 5e-5;
 
 struct Motion {
   double kinetic = 0;  // [J]
@@ -50,7 +51,7 @@ MeasureResult measure_time(const Snapshot& snapshot, const Context& context) {
                      "sum of m v^2 / 2 (translation) over sum of m g d, d the particle's own diameter, g the "
                      "scene's gravity"};
   Quantity rest{.key = "at_rest", .label = "at rest (1 yes, 0 no)"};
-  rest.definition = "1 when kinetic_energy_ratio < 5e-5, else 0";
+  rest.definition = fmt::format("1 when kinetic_energy_ratio < {:g}, else 0", rest_threshold);
   Quantity mean{
       .key = "mean_speed", .label = "mean speed", .unit = "m/s", .definition = "mean of |v| over all particles"};
   Quantity largest{

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/rest.hpp"
 #include "analysis/writers.hpp"
 #include "core/error.hpp"
 
@@ -18,7 +19,6 @@ using Results = std::vector<MeasureResult>;
 
 constexpr double weakly_segregated = 0.9;  ///< Lacey's index above which a bed is called mostly mixed
 constexpr double significant_z = 3;        ///< deviations further off than this are not chance
-constexpr double rest_threshold = 5e-5;    ///< of kinetic energy over the sum of m g d
 constexpr double account_share = 0.1;      ///< of the energy put in, beyond which the account is said to be open
 
 std::string text(const Results& results, const char* measure, const char* key) {
@@ -30,11 +30,11 @@ std::string rest(const ReportedMeasures& m) {
   const Quantity& ratio = quantity(m.end, "time", "kinetic_energy_ratio");
   if (!ratio.value) return "Whether the bed is at rest cannot be said: " + ratio.note + ".";
   return fmt::format(
-      "At t = {:g} s the bed is {}: its kinetic energy is {:.2g} of the sum of m g d (rest: below {:g}), with {} "
-      "contacts "
-      "a particle and a mean speed of {}.",
-      m.end_time, *ratio.value < rest_threshold ? "at rest" : "not at rest", *ratio.value, rest_threshold,
-      text(m.end, "time", "contacts_per_particle"), text(m.end, "time", "mean_speed"));
+      "At t = {:g} s the bed is {}: its kinetic energy is {:.2g} of the sum of m g d (at rest: below {:g}), with {} "
+      "contacts a "
+      "particle and a mean speed of {}.",
+      m.end_time, *ratio.value < analysis::rest_threshold ? "at rest" : "not at rest", *ratio.value,
+      analysis::rest_threshold, text(m.end, "time", "contacts_per_particle"), text(m.end, "time", "mean_speed"));
 }
 
 std::string packing(const ReportedMeasures& m) {
