@@ -18,8 +18,12 @@ constexpr double account_share = 0.1;  ///< of the energy put in: an account fur
 
 std::string place(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p[0], p[1], p[2]); }
 
-std::string particle(const Scene& scene, const Particles& particles, std::int64_t id) {
-  return fmt::format("particle {} ({})", id, scene.particles[particles.type[id]].name);
+std::string particle(const Scene& scene, const Particles& particles, std::size_t slot) {
+  return fmt::format("particle {} ({})", particles.id[slot], scene.particles[particles.type[slot]].name);
+}
+
+std::size_t slot_of(const Particles& particles, std::int64_t id) {
+  return static_cast<std::size_t>(std::find(particles.id.begin(), particles.id.end(), id) - particles.id.begin());
 }
 
 }  // namespace
@@ -32,11 +36,12 @@ std::string Monitor::step_advice() const {
 
 void Monitor::check_positions(const Particles& particles, double time) const {
   const Vec3 side = domain_.size();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Vec3 p = particles.now.position.get(i);
-    const std::string name = p.allFinite() ? "" : particle(scene_, particles, static_cast<std::int64_t>(i));
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) {
+    if (!particles.is_particle(slot)) continue;
+    const Vec3 p = particles.now.rows[slot].position;
     if (!p.allFinite()) {
-      throw RunError(fmt::format("t = {:.6g} s: the position of {} is not a number; {}", time, name, step_advice()));
+      throw RunError(fmt::format("t = {:.6g} s: the position of {} is not a number; {}", time,
+                                 particle(scene_, particles, slot), step_advice()));
     }
     for (int axis = 0; axis < 3; ++axis) {
       if (domain_.periodic[axis]) continue;
@@ -46,7 +51,7 @@ void Monitor::check_positions(const Particles& particles, double time) const {
         if (beyond <= (open ? side[axis] : 0)) continue;
         throw RunError(fmt::format(
             "t = {:.6g} s: {} left the domain through the face {} at {}; {}", time,
-            particle(scene_, particles, static_cast<std::int64_t>(i)), face_names[face], place(p),
+            particle(scene_, particles, slot), face_names[face], place(p),
             open ? "it is more than a domain's length away and will not come back; close the face with a boundary"
                  : fmt::format("add a boundary there, enlarge the domain, or list \"{}\" in domain.open; if it went "
                                "through a boundary: {}",
@@ -59,16 +64,23 @@ void Monitor::check_positions(const Particles& particles, double time) const {
 void Monitor::check_overlap(const StepSums& sums, const Particles& particles, double time) const {
   if (!sums.offence) return;
   const Offence& o = *sums.offence;
-  const double radius =
-      o.second < 0 ? particles.radius[o.first] : std::min(particles.radius[o.first], particles.radius[o.second]);
-  const std::string other =
-      o.second < 0 ? "boundary " + scene_.boundaries[-1 - o.second].name : particle(scene_, particles, o.second);
+  const std::size_t first = slot_of(particles, o.first);
+  const Row& row = particles.now.rows[first];
+  double radius = row.radius;
+  std::string other;
+  if (o.second < 0) {
+    other = "boundary " + scene_.boundaries[-1 - o.second].name;
+  } else {
+    const std::size_t second = slot_of(particles, o.second);
+    radius = std::min(radius, particles.now.rows[second].radius);
+    other = particle(scene_, particles, second);
+  }
   throw RunError(fmt::format(
       "t = {:.6g} s: {} and {} overlap by {:.1f} % of the smaller radius at {}, beyond monitor.overlap_limit = {:g} %; "
       "{}raise normal_stiffness, or the step is too large: {}",
-      time, particle(scene_, particles, o.first), other, 100 * o.overlap / radius,
-      place(particles.now.position.get(o.first)), 100 * scene_.monitor.overlap_limit,
-      time < scene_.filling.duration ? "lengthen filling.duration, " : "", step_advice()));
+      time, particle(scene_, particles, first), other, 100 * o.overlap / radius, place(row.position),
+      100 * scene_.monitor.overlap_limit, time < scene_.filling.duration ? "lengthen filling.duration, " : "",
+      step_advice()));
 }
 
 void Monitor::check_energy(const EnergyAccount& account, double time) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/geometry.hpp"
 #include "core/version.hpp"
+#include "engine/dynamics/make_particles.hpp"
 #include "engine/filling/growth.hpp"
 #include "engine/history_row.hpp"
 #include "engine/time_step.hpp"
@@ -59,7 +61,7 @@ Simulation::Simulation(const Scene& scene)
       domain_(checked_domain(scene)),
       planes_(make_planes(scene)),
       dt_(checked_time_step(scene, warnings_)),
-      particles_(grown_particles(scene, domain_, planes_)),
+      particles_(make_particles(scene, grown_particles(scene, domain_, planes_))),
       dynamics_(make_newtonian(scene, domain_, planes_)),
       monitor_(scene_, domain_, dt_) {
   scene_.dynamics.time_step = dt_;
@@ -85,13 +87,12 @@ StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   const double time = time_at(number);
   StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit};
   if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
-  if (number == 0 || dynamics_->neighbours().outdated(largest_displacement_squared_, input.growth)) {
+  if (dynamics_->neighbours().outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
-    dynamics_->rebuild(particles_, input.growth);
+    dynamics_->rebuild(particles_, input.growth, dt_);
   }
   const StepSums sums = dynamics_->advance(particles_, input, recorder);
   monitor_.check_overlap(sums, particles_, time);
-  largest_displacement_squared_ = sums.largest_displacement_squared;
   return sums;
 }
 
@@ -138,8 +139,10 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
     zero_level[frame.axis] = frame.floor;
     double gravitational = 0;
     const bool acts = scene_.gravity.present && time >= scene_.gravity.start;
-    for (std::size_t i = 0; acts && i < particles_.size(); ++i) {
-      gravitational -= scene_.gravity.acceleration.dot(bed.position[i] - zero_level) / particles_.inverse_mass[i];
+    for (std::size_t s = 0; acts && s < particles_.slots(); ++s) {
+      if (!particles_.is_particle(s)) continue;
+      const Vec3 height = bed.position[particles_.id[s]] - zero_level;
+      gravitational -= particles_.mass[s] * scene_.gravity.acceleration.dot(height);
     }
     const BedState state =
         frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
@@ -156,9 +159,13 @@ Snapshot Simulation::geometry(std::int64_t number) const {
   s.domain = domain_;
   if (scene_.gravity.present) s.gravity = scene_.gravity.acceleration;
   const double scale = growth_at(scene_, s.time).scale;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    s.position.push_back(domain_.wrapped(particles_.now.position.get(i)));
-    s.radius.push_back(scale * particles_.radius[i]);
+  s.position.resize(particles_.size());
+  s.radius.resize(particles_.size());
+  for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
+    if (!particles_.is_particle(slot)) continue;
+    const Row& row = particles_.now.rows[slot];
+    s.position[particles_.id[slot]] = domain_.wrapped(row.position);
+    s.radius[particles_.id[slot]] = scale * row.radius;
   }
   for (std::size_t k = 0; k < planes_.size(); ++k) {
     s.boundaries.push_back({scene_.boundaries[k].name, "plane", planes_[k].point, planes_[k].normal});
@@ -168,9 +175,15 @@ Snapshot Simulation::geometry(std::int64_t number) const {
 
 Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) const {
   Snapshot s = geometry(number);
-  for (std::size_t i = 0; i < particles_.size(); ++i) s.id.push_back(static_cast<std::int64_t>(i));
-  s.type = particles_.type;
-  s.material.assign(particles_.material.begin(), particles_.material.end());
+  s.id.resize(particles_.size());
+  std::iota(s.id.begin(), s.id.end(), std::int64_t{0});
+  s.type.resize(particles_.size());
+  s.material.resize(particles_.size());
+  for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
+    if (!particles_.is_particle(slot)) continue;
+    s.type[particles_.id[slot]] = particles_.type[slot];
+    s.material[particles_.id[slot]] = particles_.material[slot];
+  }
   for (const int field : scene_.output.fields) {
     if (field == output_velocity) s.fields["velocity"] = {3, "m/s", flattened(recorder.velocity)};
     if (field == output_force) s.fields["force"] = {3, "N", flattened(recorder.force)};

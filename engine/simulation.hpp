@@ -64,7 +64,6 @@ class Simulation {
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;
   EnergyAccount account_;  ///< what has passed through up to the step's beginning
-  double largest_displacement_squared_ = 0;
 };
 
 }  // namespace packstone::engine

@@ -2,9 +2,9 @@
 // Cundall & Strack, Geotechnique 29 (1979) 47.
 #pragma once
 
-#include <cmath>
+#include <array>
 
-#include "core/vec3.hpp"
+#include "engine/simd/vector.hpp"
 
 namespace packstone::engine {
 
@@ -13,41 +13,57 @@ namespace packstone::engine {
 struct CundallStrack {
   static constexpr bool active = true;
 
-  struct Pair {
-    double stiffness = 0;  ///< k_s [N/m]
-    double friction = 0;   ///< mu
+  template <class T>
+  struct Parameters {
+    T stiffness;  ///< k_s [N/m]
+    T friction;   ///< mu
+
+    static constexpr int count = 2;
+    std::array<T, count> values() const { return {stiffness, friction}; }
+    template <class Source>
+    static Parameters from(Source&& parameter) {
+      return {parameter(0), parameter(1)};
+    }
   };
 
+  template <class T>
   struct Force {
-    Vec3 force;             ///< on the first body [N]
-    double dissipated = 0;  ///< by sliding in this step [J]
-    double elastic = 0;     ///< stored in the spring [J]
-    bool sliding = false;
+    using Mask = decltype(T() < T());
+    simd::Vector<T> force;  ///< on the first body [N]
+    T dissipated;           ///< by sliding in this step [J]
+    T elastic;              ///< stored in the spring [J]
+    Mask sliding;
   };
 
   /// Advances the spring [m], which is kept half a step after the instant of the forces, by a step dt [s] at sliding
   /// velocity [m/s] in the contact plane; so the force is of second order in dt. Swapping the bodies negates normal,
   /// velocity and spring, and gives exactly the negated force.
-  static Force advance(const Pair& pair, Vec3& spring, const Vec3& normal, const Vec3& sliding_velocity,
-                       double normal_force, double dt) {
-    const double length = spring.norm();
-    Vec3 turned = spring - spring.dot(normal) * normal;
-    const double turned_length = turned.norm();
-    if (turned_length > 0) turned *= length / turned_length;  // the contact plane turns; the spring keeps its length
-    const Vec3 half_step = 0.5 * dt * sliding_velocity;
-    Vec3 now = turned + half_step;
-    const double limit = pair.friction * std::abs(normal_force) / pair.stiffness;
-    const double now_length = now.norm();
-    Force f;
-    f.sliding = now_length > limit;
-    if (f.sliding) {
-      const Vec3 slip = now * (1 - limit / now_length);
+  template <class T>
+  static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring, const simd::Vector<T>& normal,
+                          const simd::Vector<T>& sliding_velocity, const T& normal_force, double dt) {
+    using simd::absolute, simd::any, simd::fused, simd::inverse_sqrt, simd::only, simd::select, simd::squared_length;
+    const T squared = squared_length(spring);
+    simd::Vector<T> now = fused(-dot(spring, normal), normal, spring);
+    // The contact plane turns; the spring keeps its length.
+    const T turned_squared = squared_length(now);
+    const T stretch = squared * inverse_sqrt(squared * turned_squared);
+    const simd::Vector<T> half_step = T(0.5 * dt) * sliding_velocity;
+    now = fused(only(T(0.0) < squared * turned_squared, stretch), now, half_step);
+    const T limit_force = pair.friction * absolute(normal_force);
+    const T now_squared = squared_length(now);
+    const T now_force = pair.stiffness * pair.stiffness * now_squared;
+    Force<T> f;
+    f.dissipated = T(0.0);
+    f.sliding = limit_force * limit_force < now_force;
+    if (any(f.sliding)) {
+      const T kept = select(f.sliding, limit_force * inverse_sqrt(now_force), T(1.0));
+      const simd::Vector<T> slip = (T(1.0) - kept) * now;
       now -= slip;
       // Work done on the spring in this step less the change of its energy.
-      f.dissipated = pair.stiffness * (0.5 * (now_length * now_length - limit * limit) - half_step.dot(slip));
+      f.dissipated = pair.stiffness * (T(0.5) * (now_squared - squared_length(now)) - dot(half_step, slip));
     }
     f.force = -pair.stiffness * now;
-    f.elastic = 0.5 * pair.stiffness * now.squaredNorm();
+    f.elastic = T(0.5) * pair.stiffness * squared_length(now);
     spring = now + half_step;
     return f;
   }

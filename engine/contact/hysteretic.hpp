@@ -1,27 +1,44 @@
 // Hysteretic damping: Zhong et al., Acta Phys. Sin. 58 (2009), eqs [17], [18], model V.
 #pragma once
 
+#include <array>
+
 #include "engine/contact/normal_force.hpp"
+#include "engine/simd/scalar.hpp"
 
 namespace packstone::engine {
 
 /// F_n = k xi (1 + g sgn(xi_dot)), 0 <= g < 1; restitution sqrt((1-g)/(1+g)) at any speed.
 /// The force jumps by 2 g k xi where the rate changes sign, so that a bed at rest keeps a residual jitter.
 struct Hysteretic {
-  struct Pair {
-    double stiffness = 0;  ///< k [N/m]
-    double damping = 0;    ///< g
+  template <class T>
+  struct Parameters {
+    T stiffness;  ///< k [N/m]
+    T damping;    ///< g
+
+    static constexpr int count = 2;
+    std::array<T, count> values() const { return {stiffness, damping}; }
+    template <class Source>
+    static Parameters from(Source&& parameter) {
+      return {parameter(0), parameter(1)};
+    }
   };
 
   /// overlap [m] > 0; rate of overlap [m/s]; the masses do not enter.
-  static NormalForce force(const Pair& pair, double overlap, double rate, double /*inverse_mass_sum*/) {
-    const double elastic = pair.stiffness * overlap;
-    const double sign = static_cast<double>(rate > 0) - static_cast<double>(rate < 0);
-    return {elastic, pair.damping * sign * elastic};
+  template <class T>
+  static NormalForce<T> force(const Parameters<T>& pair, const T& overlap, const T& rate,
+                              const T& /*inverse_mass_sum*/) {
+    using simd::only;
+    const T elastic = pair.stiffness * overlap;
+    const T damping = pair.damping * elastic;
+    return {elastic, only(rate > T(0.0), damping) - only(rate < T(0.0), damping)};
   }
 
   /// Stored energy [J].
-  static double energy(const Pair& pair, double overlap) { return 0.5 * pair.stiffness * overlap * overlap; }
+  template <class T>
+  static T energy(const Parameters<T>& pair, const T& overlap) {
+    return T(0.5) * pair.stiffness * overlap * overlap;
+  }
 };
 
 }  // namespace packstone::engine

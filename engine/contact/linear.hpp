@@ -1,10 +1,11 @@
 // Linear spring-dashpot: Zhong et al., Acta Phys. Sin. 58 (2009), eqs [5], [6], model I.
 #pragma once
 
-#include <cmath>
+#include <array>
 
 #include "core/scene.hpp"
 #include "engine/contact/normal_force.hpp"
+#include "engine/simd/scalar.hpp"
 
 namespace packstone::engine {
 
@@ -13,24 +14,35 @@ namespace packstone::engine {
 /// there instead (Schwager & Poeschel, Granular Matter 9 (2007) 465).
 template <Release release>
 struct Linear {
-  struct Pair {
-    double stiffness = 0;              ///< k [N/m]
-    double damping = 0;                ///< g [N s/m], the part that does not depend on the masses
-    double damping_per_root_mass = 0;  ///< further damping over sqrt(m_eff), from a given restitution [N s/m/sqrt(kg)]
+  template <class T>
+  struct Parameters {
+    T stiffness;              ///< k [N/m]
+    T damping;                ///< g [N s/m], the part that does not depend on the masses
+    T damping_per_root_mass;  ///< further damping over sqrt(m_eff), from a given restitution [N s/m/sqrt(kg)]
+
+    static constexpr int count = 3;
+    std::array<T, count> values() const { return {stiffness, damping, damping_per_root_mass}; }
+    template <class Source>
+    static Parameters from(Source&& parameter) {
+      return {parameter(0), parameter(1), parameter(2)};
+    }
   };
 
   /// overlap [m] > 0; rate of overlap [m/s]; 1/m_i + 1/m_j [1/kg].
-  static NormalForce force(const Pair& pair, double overlap, double rate, double inverse_mass_sum) {
-    const double damping = pair.damping + pair.damping_per_root_mass / std::sqrt(inverse_mass_sum);
-    NormalForce f{pair.stiffness * overlap, damping * rate};
-    if constexpr (release == Release::zero_force) {
-      if (f.total() < 0) f.damping = -f.elastic;
-    }
-    return f;
+  template <class T>
+  static NormalForce<T> force(const Parameters<T>& pair, const T& overlap, const T& rate, const T& inverse_mass_sum) {
+    using simd::fused, simd::inverse_sqrt, simd::larger;
+    const T coefficient = fused(pair.damping_per_root_mass, inverse_sqrt(inverse_mass_sum), pair.damping);
+    const T elastic = pair.stiffness * overlap, damping = coefficient * rate;
+    if constexpr (release == Release::zero_force) return {elastic, larger(damping, -elastic)};
+    return {elastic, damping};
   }
 
   /// Stored energy [J].
-  static double energy(const Pair& pair, double overlap) { return 0.5 * pair.stiffness * overlap * overlap; }
+  template <class T>
+  static T energy(const Parameters<T>& pair, const T& overlap) {
+    return T(0.5) * pair.stiffness * overlap * overlap;
+  }
 };
 
 }  // namespace packstone::engine

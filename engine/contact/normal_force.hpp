@@ -3,12 +3,13 @@
 
 namespace packstone::engine {
 
-/// Normal force along the contact normal, in its two parts [N]; positive pushes apart.
+/// Normal force along the contact normal, in its two parts [N]; positive pushes apart. T: a number, or lanes of them.
+template <class T>
 struct NormalForce {
-  double elastic = 0;
-  double damping = 0;
+  T elastic;
+  T damping;
 
-  double total() const { return elastic + damping; }
+  T total() const { return elastic + damping; }
 };
 
 }  // namespace packstone::engine

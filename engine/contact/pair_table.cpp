@@ -9,7 +9,7 @@ namespace packstone::engine {
 namespace {
 
 template <Release release>
-void set_linear(typename Linear<release>::Pair& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_linear(typename Linear<release>::template Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
   pair.stiffness = in_series(a.normal_stiffness, b.normal_stiffness);
   if (a.restitution && b.restitution) {
     const double zeta = linear_damping_ratio(std::sqrt(*a.restitution * *b.restitution), release);
@@ -23,15 +23,15 @@ void set_linear(typename Linear<release>::Pair& pair, const MaterialSpec& a, con
 
 double in_series(double a, double b) { return a + b > 0 ? 2 * a * b / (a + b) : 0; }
 
-void set_pair(Linear<Release::zero_overlap>::Pair& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_pair(Linear<Release::zero_overlap>::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
   set_linear<Release::zero_overlap>(pair, a, b);
 }
 
-void set_pair(Linear<Release::zero_force>::Pair& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_pair(Linear<Release::zero_force>::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
   set_linear<Release::zero_force>(pair, a, b);
 }
 
-void set_pair(Hysteretic::Pair& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_pair(Hysteretic::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
   const auto restitution = [](const MaterialSpec& m) {
     return m.restitution ? *m.restitution : hysteretic_restitution(*m.normal_damping);
   };
@@ -39,7 +39,7 @@ void set_pair(Hysteretic::Pair& pair, const MaterialSpec& a, const MaterialSpec&
   pair.damping = hysteretic_damping(std::sqrt(restitution(a) * restitution(b)));
 }
 
-void set_pair(CundallStrack::Pair& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_pair(CundallStrack::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
   pair.stiffness = in_series(*a.tangential_stiffness, *b.tangential_stiffness);
   pair.friction = std::sqrt(a.friction * b.friction);
 }
@@ -50,13 +50,13 @@ double largest_damping(const Scene& scene, const MaterialSpec& a, const Material
     set_pair(pair, a, b);
     return pair.damping + pair.damping_per_root_mass * std::sqrt(effective_mass);
   };
-  return scene.contact.release == Release::zero_force ? damping(Linear<Release::zero_force>::Pair{})
-                                                      : damping(Linear<Release::zero_overlap>::Pair{});
+  return scene.contact.release == Release::zero_force ? damping(Linear<Release::zero_force>::Parameters<double>{})
+                                                      : damping(Linear<Release::zero_overlap>::Parameters<double>{});
 }
 
 double largest_stiffness(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b) {
   if (scene.contact.normal == NormalModel::hysteretic) {
-    Hysteretic::Pair pair;
+    Hysteretic::Parameters<double> pair;
     set_pair(pair, a, b);
     return pair.stiffness * (1 + pair.damping);
   }

@@ -1,6 +1,7 @@
 // Contact parameters of every pair of materials, by the mixing rules of docs/physics.md.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/scene.hpp"
@@ -17,11 +18,11 @@ double in_series(double a, double b);
 
 /// Fills the parameters of a law for two materials in contact. A restitution is mixed as sqrt(e_i e_j) and turned into
 /// damping for the pair, so that unequal masses come out right.
-void set_pair(Linear<Release::zero_overlap>::Pair& pair, const MaterialSpec& a, const MaterialSpec& b);
-void set_pair(Linear<Release::zero_force>::Pair& pair, const MaterialSpec& a, const MaterialSpec& b);
-void set_pair(Hysteretic::Pair& pair, const MaterialSpec& a, const MaterialSpec& b);
-void set_pair(CundallStrack::Pair& pair, const MaterialSpec& a, const MaterialSpec& b);
-inline void set_pair(Frictionless::Pair&, const MaterialSpec&, const MaterialSpec&) {}
+void set_pair(Linear<Release::zero_overlap>::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b);
+void set_pair(Linear<Release::zero_force>::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b);
+void set_pair(Hysteretic::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b);
+void set_pair(CundallStrack::Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b);
+inline void set_pair(Frictionless::Parameters<double>&, const MaterialSpec&, const MaterialSpec&) {}
 
 /// Stiffness that limits the time step: the steepest slope of force over overlap of a pair [N/m].
 double largest_stiffness(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b);
@@ -29,21 +30,29 @@ double largest_stiffness(const Scene& scene, const MaterialSpec& a, const Materi
 /// Dashpot coefficient of a pair with this effective mass [kg]; 0 for laws without one [N s/m].
 double largest_damping(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b, double effective_mass);
 
-/// Parameters of a law by two material indices.
+/// Parameters of a law by two material indices, one table a parameter, so that lanes can gather from it.
 template <class Law>
 class PairTable {
  public:
-  explicit PairTable(const std::vector<MaterialSpec>& materials) : count_(materials.size()), pairs_(count_ * count_) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      for (std::size_t j = 0; j < count_; ++j) set_pair(pairs_[i * count_ + j], materials[i], materials[j]);
+  using Numbers = typename Law::template Parameters<double>;
+
+  explicit PairTable(const std::vector<MaterialSpec>& materials) : count_(materials.size()) {
+    for (const auto& a : materials) {
+      for (const auto& b : materials) {
+        Numbers pair;
+        set_pair(pair, a, b);
+        const auto values = pair.values();
+        for (std::size_t k = 0; k < values.size(); ++k) table_[k].push_back(values[k]);
+      }
     }
   }
 
-  const typename Law::Pair& operator()(std::size_t i, std::size_t j) const { return pairs_[i * count_ + j]; }
+  std::size_t materials() const { return count_; }
+  const double* table(int parameter) const { return table_[parameter].data(); }
 
  private:
   std::size_t count_;
-  std::vector<typename Law::Pair> pairs_;
+  std::array<std::vector<double>, Numbers::count> table_;
 };
 
 }  // namespace packstone::engine

@@ -1,93 +1,272 @@
 #include "engine/detection/neighbour_list.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
+#include "engine/simd/lanes.hpp"
+#include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
 
 namespace packstone::engine {
 
 namespace {
 
-/// Margin between surfaces as a share of the largest radius: wider lists are built less often and read longer.
-constexpr double margin_share = 0.3;
+using simd::Widest;
 
-/// Number of an image whose shift is (a, b, c) box lengths, each -1, 0 or 1.
-std::int32_t image_number(int a, int b, int c) { return (c + 1) * 9 + (b + 1) * 3 + (a + 1); }
+/// Margins that a periodic side must leave room for, as a share of the largest radius.
+constexpr double least_margin_share = 0.3;
+/// Growth that a list allows for, in times of its planned life.
+constexpr double growth_lives = 2;
+/// Particles searched in one go by a thread.
+constexpr std::size_t search_block = 256;
+/// Particles among which those of similar numbers of neighbours are brought together in groups.
+constexpr std::size_t sorting_window = 256;
+/// A particle with more neighbours than this many rows would hold has its lanes to itself.
+constexpr std::int32_t longest_common_row = 32;
+/// Rows of a block of groups: enough work to be worth fetching.
+constexpr std::int32_t rows_per_block = 256;
+
+std::int32_t rows_for(std::int32_t entries, int width) { return (entries + width - 1) / width; }
 
 }  // namespace
 
-NeighbourList::NeighbourList(const Domain& domain, double largest_radius)
-    : domain_(domain), largest_radius_(largest_radius), margin_(margin_share * largest_radius) {
-  for (int c = -1; c <= 1; ++c) {
-    for (int b = -1; b <= 1; ++b) {
-      for (int a = -1; a <= 1; ++a) shifts_.push_back(domain.size().cwiseProduct(Vec3(a, b, c)));
-    }
-  }
-}
-
 double NeighbourList::least_periodic_side(double largest_radius) {
-  return 2 * (2 * largest_radius + margin_share * largest_radius);
+  return 2 * (2 * largest_radius + least_margin_share * largest_radius);
 }
 
-void NeighbourList::append_neighbours(const Particles& particles, std::size_t i, double scale,
-                                      std::vector<Neighbour>& row) const {
-  const Vec3 here = particles.now.position.get(i);
+void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt) {
+  slot_before_.clear();
+  for (std::size_t s = 0; s < p.slots(); ++s) {
+    if (p.is_particle(s)) slot_before_.push_back(static_cast<std::int32_t>(s));
+  }
+  const std::size_t n = slot_before_.size();
+  position_.resize(n);
+  extent_.resize(n);
+  margin_.resize(n);
+  Vec3 mean = Vec3::Zero();
+  for (const std::int32_t s : slot_before_) mean += p.half_velocity.get(s) / static_cast<double>(n);
+  std::vector<double> speed(n);
+  double mean_speed = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    speed[k] = (p.half_velocity.get(slot_before_[k]) - mean).norm();
+    mean_speed += speed[k] / p.now.rows[slot_before_[k]].radius / static_cast<double>(n);
+  }
+  displacement_.setZero();
+  displacement_before_ = -dt * mean;
+  const Margins margins = policy_.next(dt, mean_speed);
+  largest_scale_ = std::min(1.0, growth.scale + growth_lives * margins.life * growth.rate);
+  double shortest_side = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain_.periodic[axis]) shortest_side = std::min(shortest_side, domain_.size()[axis]);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    Row& row = p.now.rows[slot_before_[k]];
+    row.position = domain_.wrapped(row.position);
+    position_.set(k, row.position);
+    // Two extents never reach across half the box: then only one image of a neighbour can come into contact.
+    const double room = shortest_side / 4 - largest_scale_ * row.radius;
+    margin_[k] = std::min(margins.size_share * row.radius + margins.life * speed[k], room);
+    extent_[k] = largest_scale_ * row.radius + margin_[k];
+  }
+}
+
+bool NeighbourList::image_across(const Vec3& point, double reach) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain_.periodic[axis]) continue;
+    if (point[axis] - reach < domain_.min[axis] || point[axis] + reach > domain_.max[axis]) return true;
+  }
+  return false;
+}
+
+void NeighbourList::search_one(std::size_t place, Found& found) const {
+  using simd::absolute, simd::any, simd::fused, simd::nearest_integer;
+  using Real = Widest::Real;
+  const Vec3 here = grid_.position().get(place);
+  const double own_extent = grid_.extent()[place];
+  const simd::Vector<Real> point{here[0], here[1], here[2]};
+  const bool images = image_across(here, own_extent + grid_.largest_extent());
   const Vec3 side = domain_.size();
-  const double farthest = scale * (particles.radius[i] + largest_radius_) + margin_;
-  grid_.for_each_near(here, [&](std::int32_t j, const Vec3& there) {
-    Vec3 d = here - there;
-    std::array<int, 3> image = {0, 0, 0};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!domain_.periodic[axis] || std::abs(d[axis]) <= 0.5 * side[axis]) continue;
-      image[axis] = d[axis] > 0 ? 1 : -1;
-      d[axis] -= image[axis] * side[axis];
+  const auto component = [&](int axis, const AlignedVector<double>& coordinate, std::size_t k, const Real& x,
+                             typename Widest::Mask& across) {
+    const Real d = x - Widest::load(&coordinate[k]);
+    if (!images || !domain_.periodic[axis]) return d;
+    const Real boxes = nearest_integer(d * Real(1 / side[axis]));
+    across = across | (Real(0.0) < absolute(boxes));
+    return fused(-boxes, Real(side[axis]), d);
+  };
+  bool any_across = false;
+  const auto self = static_cast<std::int32_t>(place);
+  grid_.for_each_range(here, own_extent, [&](std::int32_t begin, std::int32_t end) {
+    const std::size_t kept = found.neighbours.size();
+    found.neighbours.resize(kept + static_cast<std::size_t>(end - begin) + Widest::width);
+    std::int32_t* to = found.neighbours.data() + kept;
+    for (std::int32_t k = begin; k < end; k += Widest::width) {
+      std::uint32_t considered = end - k < Widest::width ? (1u << (end - k)) - 1 : (1u << Widest::width) - 1;
+      if (self >= k && self < k + Widest::width) considered &= ~(1u << (self - k));
+      auto across = Widest::mask(0);
+      const simd::Vector<Real> d{component(0, grid_.position().x, k, point.x, across),
+                                 component(1, grid_.position().y, k, point.y, across),
+                                 component(2, grid_.position().z, k, point.z, across)};
+      const Real reach = Real(own_extent) + Widest::load(&grid_.extent()[k]);
+      const typename Widest::Mask near = (squared_length(d) < reach * reach) & Widest::mask(considered);
+      to += Widest::write_indices(near, k, to);
+      any_across = any_across || any(near & across);
     }
-    const double squared = d.squaredNorm();
-    if (squared >= farthest * farthest || static_cast<std::size_t>(j) == i) return;
-    const double reach = scale * (particles.radius[i] + particles.radius[j]) + margin_;
-    if (squared < reach * reach) row.push_back({j, image_number(image[0], image[1], image[2])});
+    found.neighbours.resize(static_cast<std::size_t>(to - found.neighbours.data()));
   });
+  found.end.push_back(static_cast<std::int32_t>(found.neighbours.size()));
+  found.images.push_back(any_across);
 }
 
-void NeighbourList::build(Particles& particles, const Growth& growth) {
-  const std::size_t n = particles.size();
-  for (std::size_t i = 0; i < n; ++i) particles.now.position.set(i, domain_.wrapped(particles.now.position.get(i)));
-  reference_ = particles.now.position;
-  built_scale_ = growth.scale;
-  ++builds_;
-  grid_.build(domain_, reference_, n, 2 * growth.scale * largest_radius_ + margin_);
-
-  // Rows of a block are found into the block's own store, then all are laid end to end: the same list for any threads.
-  const auto blocks = static_cast<std::ptrdiff_t>((n + particles_per_block - 1) / particles_per_block);
-  found_.resize(static_cast<std::size_t>(blocks));
-  first_.assign(n + 1, 0);
-#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
+void NeighbourList::search() {
+  const std::size_t n = grid_.order().size();
+  found_.resize((n + search_block - 1) / search_block);
+  const auto blocks = static_cast<std::ptrdiff_t>(found_.size());
+#pragma omp parallel for schedule(dynamic) num_threads(useful_threads(n))
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-    found_[b].clear();
-    for (std::size_t i = b * particles_per_block; i < std::min<std::size_t>((b + 1) * particles_per_block, n); ++i) {
-      append_neighbours(particles, i, growth.scale, found_[b]);
-      first_[i + 1] = found_[b].size();
+    Found& found = found_[b];
+    found.neighbours.clear();
+    found.end.clear();
+    found.images.clear();
+    const std::size_t begin = b * search_block;
+    for (std::size_t k = begin; k < std::min(begin + search_block, n); ++k) search_one(k, found);
+  }
+}
+
+void NeighbourList::assign_slots() {
+  // Particles of few neighbours first, in windows along the grid's order; within one those are brought together that
+  // have neighbours across a periodic side, and then those of as many neighbours.
+  struct Candidate {
+    std::int32_t place, neighbours;
+    bool images;
+  };
+  const std::size_t n = grid_.order().size();
+  std::vector<Candidate> common, alone;
+  common.reserve(n);
+  pairs_ = 0;
+  for (std::size_t b = 0; b < found_.size(); ++b) {
+    std::int32_t begin = 0;
+    for (std::size_t k = 0; k < found_[b].end.size(); ++k) {
+      const Candidate c{static_cast<std::int32_t>(b * search_block + k), found_[b].end[k] - begin,
+                        found_[b].images[k] != 0};
+      begin = found_[b].end[k];
+      pairs_ += c.neighbours;
+      (c.neighbours > longest_common_row ? alone : common).push_back(c);
     }
   }
-  std::size_t before = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    first_[i + 1] += before;
-    if ((i + 1) % particles_per_block == 0) before = first_[i + 1];
-  }
-  entries_.resize(first_.back());
+  const auto windows = static_cast<std::ptrdiff_t>((common.size() + sorting_window - 1) / sorting_window);
 #pragma omp parallel for schedule(static) num_threads(useful_threads(n))
-  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-    std::copy(found_[b].begin(), found_[b].end(),
-              entries_.begin() + static_cast<std::ptrdiff_t>(first_[b * particles_per_block]));
+  for (std::ptrdiff_t w = 0; w < windows; ++w) {
+    const auto begin = common.begin() + w * static_cast<std::ptrdiff_t>(sorting_window);
+    std::stable_sort(begin, std::min(begin + sorting_window, common.end()), [](const Candidate& a, const Candidate& b) {
+      return a.images != b.images ? b.images : a.neighbours < b.neighbours;
+    });
+  }
+
+  const auto width = static_cast<std::size_t>(width_);
+  const std::size_t common_groups = (common.size() + width - 1) / width;
+  groups_.clear();
+  place_of_.assign(common_groups * width + alone.size() + 1, Particles::no_particle);
+  slot_of_.resize(n);
+  std::int64_t row = 0;
+  const auto add_group = [&](std::size_t slot, const Candidate* first, std::size_t count, bool shared) {
+    NeighbourGroup group{static_cast<std::int32_t>(slot), 0, row, (1u << count) - 1, shared, false};
+    for (std::size_t k = 0; k < count; ++k) {
+      place_of_[slot + k] = first[k].place;
+      slot_of_[first[k].place] = static_cast<std::int32_t>(slot + k);
+      group.rows = std::max(group.rows, shared ? rows_for(first[k].neighbours, width_) : first[k].neighbours);
+      group.images = group.images || first[k].images;
+    }
+    row += group.rows;
+    groups_.push_back(group);
+  };
+  for (std::size_t g = 0; g < common_groups; ++g) {
+    add_group(g * width, &common[g * width], std::min(width, common.size() - g * width), false);
+  }
+  for (std::size_t k = 0; k < alone.size(); ++k) add_group(common_groups * width + k, &alone[k], 1, true);
+  entries_.resize(static_cast<std::size_t>(row) * width);
+}
+
+void NeighbourList::fill_rows(std::int32_t nobody) {
+  const auto groups = static_cast<std::ptrdiff_t>(groups_.size());
+#pragma omp parallel for schedule(dynamic, 64) num_threads(useful_threads(particles_))
+  for (std::ptrdiff_t g = 0; g < groups; ++g) {
+    const NeighbourGroup& group = groups_[g];
+    std::int32_t* rows = entries_.data() + group.first_row * width_;
+    std::fill_n(rows, static_cast<std::ptrdiff_t>(group.rows) * width_, nobody);
+    for (int lane = 0; lane < width_ && (group.lanes >> lane & 1u) != 0; ++lane) {
+      const auto place = static_cast<std::size_t>(place_of_[group.slot + lane]);
+      const Found& found = found_[place / search_block];
+      const std::size_t k = place % search_block;
+      const std::int32_t begin = k == 0 ? 0 : found.end[k - 1];
+      const int stride = group.shared ? 1 : width_;
+      for (std::int32_t e = begin; e < found.end[k]; ++e) {
+        rows[lane + static_cast<std::ptrdiff_t>(e - begin) * stride] = slot_of_[found.neighbours[e]];
+      }
+    }
   }
 }
 
-bool NeighbourList::outdated(double largest_displacement_squared, const Growth& growth) const {
-  const double approach =
-      2 * std::sqrt(largest_displacement_squared) + 2 * largest_radius_ * (growth.scale - built_scale_);
-  return !(approach < margin_);
+void NeighbourList::make_blocks() {
+  blocks_.clear();
+  std::int32_t rows = 0, first = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    rows += groups_[g].rows + 1;
+    if (rows < rows_per_block && g + 1 < groups_.size()) continue;
+    blocks_.push_back({first, static_cast<std::int32_t>(g) + 1});
+    first = static_cast<std::int32_t>(g) + 1;
+    rows = 0;
+  }
+}
+
+void NeighbourList::build(Particles& particles, const Growth& growth, double dt) {
+  policy_.learn(std::sqrt(used_squared_), steps_, dt);
+  choose_extents(particles, growth, dt);
+  particles_ = slot_before_.size();
+  grid_.build(domain_, position_, extent_);
+  search();
+  assign_slots();
+
+  std::vector<std::int32_t> from(place_of_.size(), Particles::no_particle);
+  reference_.resize(place_of_.size() + HierarchicalGrid::padding);
+  inverse_margin_squared_.assign(place_of_.size() + HierarchicalGrid::padding, 0.0);
+  for (std::size_t s = 0; s < place_of_.size(); ++s) {
+    if (place_of_[s] == Particles::no_particle) continue;
+    const std::int32_t k = grid_.order()[place_of_[s]];
+    from[s] = slot_before_[k];
+    reference_.set(s, position_.get(k));
+    inverse_margin_squared_[s] = 1 / (margin_[k] * margin_[k]);
+  }
+  particles.reorder(from);
+  fill_rows(particles.nobody());
+  make_blocks();
+
+  ++builds_;
+  steps_ = 0;
+  used_squared_ = 0;
+  dt_ = dt;
+}
+
+void NeighbourList::moved(double largest_share_squared, const Vec3& displacement_sum, double dt) {
+  ++steps_;
+  dt_ = dt;
+  used_squared_ = largest_share_squared;
+  displacement_before_ = displacement_;
+  displacement_ = displacement_sum / static_cast<double>(std::max<std::size_t>(particles_, 1));
+}
+
+bool NeighbourList::outdated(const Growth& growth) const {
+  if (builds_ == 0 || !(used_squared_ < 1) || growth.scale > largest_scale_) return true;
+  return policy_.worth_renewing(std::sqrt(used_squared_), steps_, dt_);
+}
+
+std::size_t NeighbourList::bytes() const {
+  std::size_t found = 0;
+  for (const Found& f : found_) found += sizeof(std::int32_t) * (f.neighbours.capacity() + f.end.capacity());
+  return found + sizeof(std::int32_t) * (entries_.capacity() + slot_of_.capacity() + place_of_.capacity()) +
+         sizeof(double) * (8 * reference_.x.capacity() + 5 * position_.x.capacity());
 }
 
 }  // namespace packstone::engine

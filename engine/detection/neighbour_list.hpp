@@ -5,58 +5,113 @@
 #include <vector>
 
 #include "core/domain.hpp"
-#include "engine/detection/cell_grid.hpp"
+#include "engine/aligned_vector.hpp"
+#include "engine/detection/hierarchical_grid.hpp"
+#include "engine/detection/margin_policy.hpp"
 #include "engine/dynamics/particles.hpp"
 
 namespace packstone::engine {
 
-/// One neighbour as a particle's row holds it: both particles of a pair list each other, so that each gathers its own
-/// forces in an order that no thread count changes.
-struct Neighbour {
-  std::int32_t index;
-  std::int32_t image;  ///< which periodic image of it, into NeighbourList::shifts
+/// Particles whose forces are summed in one go, one a lane; or one particle with many neighbours, whose neighbours are
+/// spread over the lanes. Both particles of a pair list each other, so that each gathers its own forces in an order
+/// that no thread count changes.
+struct NeighbourGroup {
+  std::int32_t slot;      ///< of the first particle
+  std::int32_t rows;      ///< of `width` entries each
+  std::int64_t first_row;
+  std::uint32_t lanes;    ///< bits of those that hold a particle; 1 for a shared group
+  bool shared;            ///< all lanes belong to the particle in `slot`
+  bool images;            ///< a neighbour lies across a periodic side
+};
+
+/// Groups that one thread takes in one go; sums over a block are made in order, whoever makes them.
+struct GroupBlock {
+  std::int32_t first, last;
 };
 
 class NeighbourList {
  public:
-  /// Periodic sides must be at least least_periodic_side wide.
-  NeighbourList(const Domain& domain, double largest_radius);
+  /// width: lanes of a group. Periodic sides must be at least least_periodic_side wide.
+  NeighbourList(const Domain& domain, int width) : domain_(domain), width_(width) {}
 
   /// Smallest periodic side at which a particle meets only one image of another [m].
   static double least_periodic_side(double largest_radius);
 
-  /// Wraps positions into the box along periodic axes and finds every pair whose surfaces are nearer than the margin.
-  void build(Particles& particles, const Growth& growth);
+  /// Wraps positions into the box along periodic axes, finds every pair whose surfaces are nearer than its margins, and
+  /// moves the particles into slots that keep neighbours close.
+  void build(Particles& particles, const Growth& growth, double dt);
 
-  /// Whether, after the largest displacement since build [m], squared, and growth, a contact could be missing. True for
-  /// a displacement that is not a number.
-  bool outdated(double largest_displacement_squared, const Growth& growth) const;
+  /// Tells where the particles are after a step: the largest share of its margin that one has used, squared, and the
+  /// sum of their displacements since the list was built [m]. A share that is not a number counts as infinite.
+  void moved(double largest_share_squared, const Vec3& displacement_sum, double dt);
 
-  std::size_t first(std::size_t i) const { return first_[i]; }
-  std::size_t last(std::size_t i) const { return first_[i + 1]; }
-  const Neighbour& entry(std::size_t k) const { return entries_[k]; }
-  std::size_t size() const { return entries_.size(); }
-  /// Displacement of image k from the particle itself [m].
-  const Vec3& shift(std::int32_t k) const { return shifts_[k]; }
+  /// Whether a contact could be missing, or a narrower list would pay.
+  bool outdated(const Growth& growth) const;
+
+  int width() const { return width_; }
+  const std::vector<NeighbourGroup>& groups() const { return groups_; }
+  const std::vector<GroupBlock>& blocks() const { return blocks_; }
+  /// Slots of a row's neighbours, one a lane; Particles::nobody where there is none.
+  const std::int32_t* row(std::int64_t row) const { return entries_.data() + row * width_; }
+  std::int64_t rows() const { return static_cast<std::int64_t>(entries_.size()) / width_; }
+  /// Neighbours, each pair counted twice.
+  std::int64_t pairs() const { return pairs_; }
+
   /// Where each particle was when the list was built [m].
   const VectorArray& reference() const { return reference_; }
+  /// By how much all are expected to have moved by the end of the coming step [m]: a motion that all share brings no
+  /// two closer.
+  Vec3 expected_displacement() const { return displacement_ + (displacement_ - displacement_before_); }
+  /// 1/margin^2 of each slot, 0 of an empty one [1/m2].
+  const AlignedVector<double>& inverse_margin_squared() const { return inverse_margin_squared_; }
+
   /// How often the list was built.
   std::int64_t builds() const { return builds_; }
+  std::size_t bytes() const;
 
  private:
-  void append_neighbours(const Particles& particles, std::size_t i, double scale, std::vector<Neighbour>& row) const;
+  /// What the search finds for particles first..last of the grid's order.
+  struct Found {
+    std::vector<std::int32_t> neighbours;  ///< by place in the order, one particle after the other
+    std::vector<std::int32_t> end;         ///< of each particle's neighbours
+    std::vector<std::uint8_t> images;      ///< whether one is across a periodic side
+  };
+
+  void choose_extents(Particles& particles, const Growth& growth, double dt);
+  void search();
+  void search_one(std::size_t place, Found& found) const;
+  void assign_slots();
+  void fill_rows(std::int32_t nobody);
+  void make_blocks();
+  bool image_across(const Vec3& point, double reach) const;
 
   Domain domain_;
-  double largest_radius_;
-  double margin_;
-  double built_scale_ = 1;
-  std::int64_t builds_ = 0;
-  CellGrid grid_;
+  int width_;
+  MarginPolicy policy_;
+  HierarchicalGrid grid_;
+  std::vector<NeighbourGroup> groups_;
+  std::vector<GroupBlock> blocks_;
+  AlignedVector<std::int32_t> entries_;
   VectorArray reference_;
-  std::vector<std::size_t> first_;
-  std::vector<Neighbour> entries_;
-  std::vector<std::vector<Neighbour>> found_;  ///< by block of particles, before they are laid end to end
-  std::vector<Vec3> shifts_;
+  AlignedVector<double> inverse_margin_squared_;
+  std::int64_t builds_ = 0;
+  std::int64_t pairs_ = 0;
+
+  // Since the list was built.
+  std::int64_t steps_ = 0;
+  double largest_scale_ = 0;  ///< of the growth that the extents allow for
+  double used_squared_ = 0;
+  double dt_ = 0;
+  std::size_t particles_ = 0;
+  Vec3 displacement_ = Vec3::Zero(), displacement_before_ = Vec3::Zero();
+
+  // While it is built: in the particles' order before, in the grid's order, by slot.
+  VectorArray position_;
+  AlignedVector<double> extent_, margin_;
+  std::vector<std::int32_t> slot_before_;
+  std::vector<Found> found_;
+  std::vector<std::int32_t> slot_of_;   ///< by place in the grid's order
+  std::vector<std::int32_t> place_of_;  ///< by slot; no_particle in an empty one
 };
 
 }  // namespace packstone::engine

@@ -3,18 +3,18 @@
 #include <algorithm>
 
 #include "engine/dynamics/newtonian_step.hpp"
+#include "engine/simd/lanes.hpp"
 
 namespace packstone::engine {
 
 namespace {
 
 template <class Normal>
-std::unique_ptr<Dynamics> with_normal(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes,
-                                      double largest_radius) {
+std::unique_ptr<Dynamics> with_normal(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   if (rotates(scene)) {
-    return std::make_unique<NewtonianStep<Normal, CundallStrack>>(scene, domain, planes, largest_radius);
+    return std::make_unique<NewtonianStep<simd::Widest, Normal, CundallStrack>>(scene, domain, planes);
   }
-  return std::make_unique<NewtonianStep<Normal, Frictionless>>(scene, domain, planes, largest_radius);
+  return std::make_unique<NewtonianStep<simd::Widest, Normal, Frictionless>>(scene, domain, planes);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void StepSums::add(const StepSums& other) {
   dissipated += other.dissipated;
   growth_work += other.growth_work;
   gravity_work += other.gravity_work;
-  largest_displacement_squared = std::max(largest_displacement_squared, other.largest_displacement_squared);
+  largest_share_squared = std::max(largest_share_squared, other.largest_share_squared);
   if (!offence) offence = other.offence;
   kinetic_translational += other.kinetic_translational;
   kinetic_rotational += other.kinetic_rotational;
@@ -48,19 +48,14 @@ std::vector<Plane> make_planes(const Scene& scene) {
 }
 
 std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  const double largest_radius =
-      std::max_element(scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) {
-        return a.radius < b.radius;
-      })->radius;
   switch (scene.contact.normal) {
     case NormalModel::hysteretic:
-      return with_normal<Hysteretic>(scene, domain, planes, largest_radius);
+      return with_normal<Hysteretic>(scene, domain, planes);
     case NormalModel::linear:
       break;
   }
-  return scene.contact.release == Release::zero_force
-             ? with_normal<Linear<Release::zero_force>>(scene, domain, planes, largest_radius)
-             : with_normal<Linear<Release::zero_overlap>>(scene, domain, planes, largest_radius);
+  return scene.contact.release == Release::zero_force ? with_normal<Linear<Release::zero_force>>(scene, domain, planes)
+                                                      : with_normal<Linear<Release::zero_overlap>>(scene, domain, planes);
 }
 
 }  // namespace packstone::engine

@@ -2,224 +2,400 @@
 //   v(n+1/2) = v(n-1/2) + dt a(n),   x(n+1) = x(n) + dt v(n+1/2).
 // Forces that depend on velocity see v(n) = v(n-1/2) + dt/2 a(n-1), of second order, rather than the lagging half-step
 // velocity, which feeds energy into contacts with friction.
+//
+// Forces and motion are one pass: the state of instant n is read from one buffer and that of n+1 written to the other.
+// A group of particles goes through it side by side, one a lane (neighbour_list.hpp).
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <bit>
 #include <utility>
 #include <vector>
 
 #include "engine/contact/pair_table.hpp"
+#include "engine/dynamics/contact_history.hpp"
+#include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/step.hpp"
+#include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
 
 namespace packstone::engine {
 
-template <class Normal, class Tangential>
+template <class Lanes, class Normal, class Tangential>
 class NewtonianStep final : public Dynamics {
  public:
-  NewtonianStep(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes, double largest_radius)
-      : planes_(planes), list_(domain, largest_radius), normal_(scene.materials), tangential_(scene.materials) {}
+  NewtonianStep(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes)
+      : domain_(domain),
+        planes_(planes),
+        list_(domain, Lanes::width),
+        normal_(scene.materials),
+        tangential_(scene.materials) {
+    const Vec3 side = domain.size();
+    for (int axis = 0; axis < 3; ++axis) inverse_side_[axis] = domain.periodic[axis] ? 1 / side[axis] : 0;
+  }
 
   const NeighbourList& neighbours() const override { return list_; }
 
-  void rebuild(Particles& particles, const Growth& growth) override {
+  void rebuild(Particles& particles, const Growth& growth, double dt) override {
     if constexpr (Tangential::active) {
-      const NeighbourList before = list_;
-      list_.build(particles, growth);
-      carry_springs(before, particles.size());
+      const StoredContacts stored = history_.store(list_, particles, planes_.size());
+      list_.build(particles, growth, dt);
+      history_.restore(stored, list_, particles, planes_.size());
     } else {
-      list_.build(particles, growth);
+      list_.build(particles, growth, dt);
     }
   }
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
-    const auto blocks = static_cast<std::ptrdiff_t>((particles.size() + particles_per_block - 1) / particles_per_block);
-    std::vector<Block> results(blocks);
-#pragma omp parallel for schedule(static) num_threads(useful_threads(particles.size()))
+    const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
+    results_.resize(list_.blocks().size());
+#pragma omp parallel for schedule(dynamic, blocks_per_turn) num_threads(useful_threads(particles.size()))
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-      const std::size_t begin = b * particles_per_block, end = std::min(begin + particles_per_block, particles.size());
-      for (std::size_t i = begin; i < end; ++i) {
-        recorder ? advance_particle<true>(particles, i, input, recorder, results[b])
-                 : advance_particle<false>(particles, i, input, recorder, results[b]);
-      }
+      results_[b] = {};
+      recorder ? advance_block<true>(particles, b, input, recorder) : advance_block<false>(particles, b, input, nullptr);
     }
     // Blocks are added in order, so that the sums have the same bits for any number of threads.
     StepSums sums;
-    for (const Block& block : results) {
+    Vec3 displacement = Vec3::Zero();
+    for (const BlockResult& block : results_) {
       sums.add(block.sums);
+      displacement += block.displacement;
       if (recorder && recorder->want_contacts) append(recorder->contacts, block.contacts);
     }
+    list_.moved(sums.largest_share_squared, displacement, input.dt);
     return sums;
   }
 
  private:
-  struct Block {
-    StepSums sums;
-    Contacts contacts;
+  static constexpr int blocks_per_turn = 4;
+
+  /// Some particles side by side, as a contact sees them.
+  template <class L>
+  struct Bodies {
+    using Real = typename L::Real;
+    simd::Vector<Real> position;  ///< [m]
+    Real radius;                  ///< at full size; 0 for a wall [m]
+    simd::Vector<Real> velocity;
+    Real inverse_mass;  ///< 0 for a wall [1/kg]
+    simd::Vector<Real> angular_velocity;
   };
 
-  /// One side of a contact.
-  struct Body {
-    Vec3 velocity = Vec3::Zero();
-    Vec3 angular_velocity = Vec3::Zero();
-    double radius = 0;        ///< at full size; 0 for a wall [m]
-    double inverse_mass = 0;  ///< 0 for a wall [1/kg]
-    std::size_t material = 0;
+  template <class L>
+  struct Loads {
+    simd::Vector<typename L::Real> force, torque;
   };
 
-  struct Load {
-    Vec3 force = Vec3::Zero();
-    Vec3 torque = Vec3::Zero();
-  };
-
-  /// Where a contact is and whom it joins.
+  /// Contacts of each lane with one body.
+  template <class L>
   struct Place {
-    Vec3 normal;  ///< from the second body to the first
-    double overlap;
-    std::int64_t first, second;  ///< ids, -1-k for boundary k
-    Vec3 first_position;
-    double share;  ///< of its energies to count here: both particles of a pair see it
+    using Real = typename L::Real;
+    typename L::Mask touching;
+    simd::Vector<Real> normal;  ///< from the second body to the first
+    Real overlap;
+    Real share;  ///< of its energies to count here: both particles of a pair see it
   };
 
-  static Body body(const Particles& p, std::size_t i) {
-    Body b{p.now.velocity.get(i), Vec3::Zero(), p.radius[i], p.inverse_mass[i], p.material[i]};
-    if constexpr (Tangential::active) b.angular_velocity = p.now.angular_velocity.get(i);
+  template <bool record>
+  void advance_block(Particles& p, std::ptrdiff_t block, const StepInput& in, Recorder* recorder) {
+    BlockResult& result = results_[block];
+    LaneSums<Lanes> sums;
+    LaneSums<simd::Scalar> alone_sums;
+    const GroupBlock& groups = list_.blocks()[block];
+    for (std::int32_t g = groups.first; g < groups.last; ++g) {
+      const NeighbourGroup& group = list_.groups()[g];
+      if (group.shared) {
+        const auto self = bodies_alone<Lanes>(p, group.slot);
+        const Loads<Lanes> loads = pair_loads<record>(p, group, self, in, recorder, sums, result);
+        const Loads<simd::Scalar> total{total_of(loads.force), total_of(loads.torque)};
+        finish<record, simd::Scalar>(p, g, bodies_alone<simd::Scalar>(p, group.slot), total, in, recorder, alone_sums,
+                                     result);
+      } else {
+        const auto self = bodies_in_line(p, group.slot);
+        const Loads<Lanes> loads = pair_loads<record>(p, group, self, in, recorder, sums, result);
+        finish<record, Lanes>(p, g, self, loads, in, recorder, sums, result);
+      }
+    }
+    sums.add_to(result, in);
+    alone_sums.add_to(result, in);
+  }
+
+  static simd::Vector<double> total_of(const simd::Vector<typename Lanes::Real>& v) {
+    using simd::sum;
+    return {sum(v.x), sum(v.y), sum(v.z)};
+  }
+
+  static constexpr std::size_t row_stride = sizeof(Row) / sizeof(double);
+  static constexpr std::size_t spin_stride = sizeof(Spin) / sizeof(double);
+  static const double* numbers(const Row* rows) { return reinterpret_cast<const double*>(rows); }
+  static const double* numbers(const Spin* spins) { return reinterpret_cast<const double*>(spins); }
+
+  Bodies<Lanes> bodies_in_line(const Particles& p, std::int32_t slot) const {
+    typename Lanes::Real c[8];
+    Lanes::template read_columns<8, row_stride>(numbers(&p.now.rows[slot]), c);
+    Bodies<Lanes> b{{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}, c[7], {}};
+    if constexpr (Tangential::active) {
+      Lanes::template read_columns<3, spin_stride>(numbers(&p.now.spins[slot]), c);
+      b.angular_velocity = {c[0], c[1], c[2]};
+    }
     return b;
   }
 
+  template <class L>
+  Bodies<L> bodies_alone(const Particles& p, std::int32_t slot) const {
+    using Real = typename L::Real;
+    const auto vector = [](const Vec3& v) { return simd::Vector<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
+    const Row& row = p.now.rows[slot];
+    Bodies<L> b{vector(row.position), Real(row.radius), vector(row.velocity), Real(row.inverse_mass), {}};
+    if constexpr (Tangential::active) b.angular_velocity = vector(p.now.spins[slot].angular_velocity);
+    return b;
+  }
+
+  /// Forces from the particles in the group's rows.
   template <bool record>
-  void advance_particle(Particles& p, std::size_t i, const StepInput& in, Recorder* recorder, Block& out) {
-    const Vec3 here = p.now.position.get(i);
-    const Body self = body(p, i);
-    Load load;
-    for (std::size_t k = list_.first(i); k < list_.last(i); ++k) {
-      const Neighbour& neighbour = list_.entry(k);
-      const auto j = static_cast<std::size_t>(neighbour.index);
-      const Vec3 d = (here - p.now.position.get(j)) - list_.shift(neighbour.image);
-      const double reach = in.growth.scale * (self.radius + p.radius[j]);
-      const double squared = d.squaredNorm();
-      if (squared >= reach * reach) {
-        if constexpr (Tangential::active) springs_[k].setZero();
+  [[gnu::always_inline]] Loads<Lanes> pair_loads(const Particles& p, const NeighbourGroup& group,
+                                                 const Bodies<Lanes>& self, const StepInput& in, Recorder* recorder,
+                                                 LaneSums<Lanes>& sums, BlockResult& result) {
+    using simd::any, simd::inverse_sqrt;
+    using Real = typename Lanes::Real;
+    Loads<Lanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
+    const double* rows = numbers(p.now.rows.data());
+    const std::int32_t self_slots = group.slot;
+    for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
+      const std::int32_t* neighbour = list_.row(row);
+      Real c[4];
+      Lanes::template read_columns<4, row_stride>(rows, neighbour, c);
+      simd::Vector<Real> d = self.position - simd::Vector<Real>{c[0], c[1], c[2]};
+      if (group.images) d = nearest_image(d);
+      const Real radii = self.radius + c[3];
+      const Real reach = Real(in.growth.scale) * radii;
+      const Real squared = squared_length(d);
+      const auto touching = squared < reach * reach;
+      if (!any(touching)) {
+        if constexpr (Tangential::active) history_.pairs.none(row);
         continue;
       }
-      const double distance = std::sqrt(squared);
-      const Place place{d / distance, reach - distance, static_cast<std::int64_t>(i), neighbour.index, here, 0.5};
-      touch<record>(self, body(p, j), place, spring(springs_, k), in, recorder, load, out);
+      Bodies<Lanes> other;
+      other.radius = c[3];
+      Lanes::template read_columns<4, row_stride>(rows + 4, neighbour, c);
+      other.velocity = {c[0], c[1], c[2]};
+      other.inverse_mass = c[3];
+      if constexpr (Tangential::active) {
+        Lanes::template read_columns<3, spin_stride>(numbers(p.now.spins.data()), neighbour, c);
+        other.angular_velocity = {c[0], c[1], c[2]};
+      }
+      const Real inverse_distance = inverse_sqrt(squared);
+      const Place<Lanes> at{touching, inverse_distance * d, reach - squared * inverse_distance, Real(0.5)};
+      const auto who = [&](int lane) {
+        const std::int32_t first = group.shared ? self_slots : self_slots + lane;
+        return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[neighbour[lane]]};
+      };
+      const auto material = [&](auto& table) {
+        return parameters<Lanes>(table, [&](int lane) {
+          return std::pair{p.material[group.shared ? self_slots : self_slots + lane], p.material[neighbour[lane]]};
+        });
+      };
+      touch<record, Lanes>(self, other, at, history_.pairs, row, material, who, in, recorder, loads, sums, result);
     }
+    return loads;
+  }
+
+  /// Forces from walls, then the motion.
+  template <bool record, class L>
+  [[gnu::always_inline]] void finish(Particles& p, std::int32_t g, const Bodies<L>& self, Loads<L> loads,
+                                     const StepInput& in, Recorder* recorder, LaneSums<L>& sums, BlockResult& result) {
+    using simd::any;
+    using Real = typename L::Real;
+    const NeighbourGroup& group = list_.groups()[g];
+    const auto occupied = L::mask(group.lanes);
+    const auto groups = static_cast<std::int64_t>(list_.groups().size());
     for (std::size_t w = 0; w < planes_.size(); ++w) {
-      const double overlap = in.growth.scale * self.radius - planes_[w].distance(here);
-      if (overlap <= 0) {
-        if constexpr (Tangential::active) wall_springs_[i * planes_.size() + w].setZero();
+      const Plane& plane = planes_[w];
+      const simd::Vector<Real> normal{Real(plane.normal[0]), Real(plane.normal[1]), Real(plane.normal[2])};
+      const simd::Vector<Real> point{Real(plane.point[0]), Real(plane.point[1]), Real(plane.point[2])};
+      const Real overlap = Real(in.growth.scale) * self.radius - dot(self.position - point, normal);
+      const typename L::Mask touching = (Real(0.0) < overlap) & occupied;
+      const std::int64_t row = static_cast<std::int64_t>(w) * groups + g;
+      if (!any(touching)) {
+        if constexpr (Tangential::active) history_.walls.none(row);
         continue;
       }
-      Body wall;
-      wall.material = planes_[w].material;
-      const Place place{
-          planes_[w].normal, overlap, static_cast<std::int64_t>(i), -1 - static_cast<std::int64_t>(w), here, 1.0};
-      touch<record>(self, wall, place, spring(wall_springs_, i * planes_.size() + w), in, recorder, load, out);
+      Bodies<L> wall{self.position,       Real(0.0), simd::Vector<Real>::zero(), Real(0.0),
+                     simd::Vector<Real>::zero()};
+      const Place<L> at{touching, normal, overlap, Real(1.0)};
+      const auto who = [&](int lane) {
+        return std::pair<std::int64_t, std::int64_t>{p.id[group.slot + lane], -1 - static_cast<std::int64_t>(w)};
+      };
+      const auto material = [&](auto& table) {
+        return parameters<L>(table, [&](int lane) {
+          return std::pair{p.material[group.slot + lane], static_cast<std::int32_t>(plane.material)};
+        });
+      };
+      touch<record, L>(self, wall, at, history_.walls, row, material, who, in, recorder, loads, sums, result);
     }
-    move<record>(p, i, load, in, recorder, out.sums);
+    move<record, L>(p, group, self, loads, occupied, in, recorder, sums);
   }
 
-  static Vec3* spring(std::vector<Vec3>& springs, std::size_t k) {
-    if constexpr (Tangential::active) {
-      return &springs[k];
-    } else {
-      return nullptr;
-    }
+  /// d less the box's sides that it is nearest to; unchanged along axes that are not periodic.
+  simd::Vector<typename Lanes::Real> nearest_image(const simd::Vector<typename Lanes::Real>& d) const {
+    using simd::fused, simd::nearest_integer;
+    using Real = typename Lanes::Real;
+    const Vec3 side = domain_.size();
+    const auto along = [&](const Real& x, int axis) {
+      return fused(-nearest_integer(x * Real(inverse_side_[axis])), Real(side[axis]), x);
+    };
+    return {along(d.x, 0), along(d.y, 1), along(d.z, 2)};
   }
 
-  /// Adds one contact's force and torque on the first body.
-  template <bool record>
-  [[gnu::always_inline]] void touch(const Body& first, const Body& second, const Place& at, Vec3* spring,
-                                    const StepInput& in, Recorder* recorder, Load& load, Block& out) const {
-    const Vec3 relative = first.velocity - second.velocity;
-    const double growth_rate = in.growth.rate * (first.radius + second.radius);
-    const double rate = growth_rate - relative.dot(at.normal);
-    const auto& law = normal_(first.material, second.material);
-    const NormalForce normal = Normal::force(law, at.overlap, rate, first.inverse_mass + second.inverse_mass);
-    Vec3 force = normal.total() * at.normal;
-    double dissipated = normal.damping * rate * in.dt;
-    double elastic = Normal::energy(law, at.overlap);
-    bool sliding = false;
+  /// A law's parameters for each lane's pair of materials.
+  template <class L, class Law, class Pair>
+  [[gnu::always_inline]] static auto parameters(const PairTable<Law>& table, const Pair& materials_of) {
+    using Real = typename L::Real;
+    using Parameters = typename Law::template Parameters<Real>;
+    if (table.materials() == 1) return Parameters::from([&](int k) { return Real(*table.table(k)); });
+    std::int32_t pair[L::width];
+    for (int lane = 0; lane < L::width; ++lane) {
+      const auto [a, b] = materials_of(lane);
+      pair[lane] = a * static_cast<std::int32_t>(table.materials()) + b;
+    }
+    return Parameters::from([&](int k) { return L::gather(table.table(k), pair); });
+  }
+
+  /// Adds the forces and torques of some contacts on the first bodies.
+  template <bool record, class L, class Material, class Who>
+  [[gnu::always_inline]] void touch(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
+                                    Springs& springs, std::int64_t row, const Material& material, const Who& who,
+                                    const StepInput& in, Recorder* recorder, Loads<L>& loads, LaneSums<L>& sums,
+                                    BlockResult& result) const {
+    using simd::any, simd::bits, simd::fused_where, simd::only;
+    using Real = typename L::Real;
+    const simd::Vector<Real> relative = first.velocity - second.velocity;
+    const Real growth_rate = Real(in.growth.rate) * (first.radius + second.radius);
+    const Real rate = growth_rate - dot(relative, at.normal);
+    const auto law = material(normal_);
+    const NormalForce<Real> normal = Normal::force(law, at.overlap, rate, first.inverse_mass + second.inverse_mass);
+    const Real total = normal.total();
+    loads.force = fused_where(at.touching, total, at.normal, loads.force);
+    const Real share = at.share;
+    sums.damping_power = fused_where(at.touching, share * normal.damping, rate, sums.damping_power);
+    if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, share * total, growth_rate, sums.growth_power);
+    const typename L::Mask beyond = (Real(in.overlap_limit) * first.radius < at.overlap) & at.touching;
+    if (any(beyond) && !result.sums.offence) {
+      const int lane = std::countr_zero(bits(beyond));
+      const auto [a, b] = who(lane);
+      result.sums.offence = Offence{a, b, L::lane(at.overlap, lane)};
+    }
+    [[maybe_unused]] simd::Vector<Real> tangential_force = simd::Vector<Real>::zero();
+    [[maybe_unused]] std::uint32_t sliding = 0;
+    [[maybe_unused]] Real elastic = Normal::energy(law, at.overlap);
     if constexpr (Tangential::active) {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
-      const Vec3 spin =
-          in.growth.scale * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
-      const Vec3 contact_velocity = relative - spin.cross(at.normal);
-      const Vec3 sliding_velocity = contact_velocity - contact_velocity.dot(at.normal) * at.normal;
-      const auto& friction = tangential_(first.material, second.material);
-      const auto tangential =
-          Tangential::advance(friction, *spring, at.normal, sliding_velocity, normal.total(), in.dt);
-      force += tangential.force;
-      load.torque -= in.growth.scale * first.radius * at.normal.cross(tangential.force);
-      dissipated += tangential.dissipated;
-      elastic += tangential.elastic;
-      sliding = tangential.sliding;
-    }
-    load.force += force;
-
-    StepSums& sums = out.sums;
-    sums.dissipated += at.share * dissipated;
-    sums.growth_work += at.share * normal.total() * growth_rate * in.dt;
-    if (at.overlap > in.overlap_limit * first.radius && !sums.offence) {
-      sums.offence = Offence{at.first, at.second, at.overlap};
+      const simd::Vector<Real> spin =
+          Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
+      const simd::Vector<Real> contact_velocity = relative - cross(spin, at.normal);
+      const simd::Vector<Real> sliding_velocity =
+          fused(-dot(contact_velocity, at.normal), at.normal, contact_velocity);
+      simd::Vector<Real> spring = springs.load<L>(row);
+      const auto friction = Tangential::advance(material(tangential_), spring, at.normal, sliding_velocity, total, in.dt);
+      springs.store<L>(row, at.touching, spring);
+      tangential_force = only(at.touching, friction.force);
+      loads.force += tangential_force;
+      loads.torque -= Real(in.growth.scale) * first.radius * cross(at.normal, tangential_force);
+      sums.sliding_loss += only(at.touching, share * friction.dissipated);
+      elastic += friction.elastic;
+      sliding = bits(friction.sliding);
     }
     if constexpr (record) {
-      const bool wall = at.second < 0;
-      sums.elastic += at.share * elastic;
-      sums.largest_overlap_share = std::max(sums.largest_overlap_share, at.overlap / first.radius);
-      if (!wall && at.second < at.first) return;
-      ++(wall ? sums.wall_contacts : sums.particle_contacts);
-      if (!recorder->want_contacts) return;
-      Contacts& c = out.contacts;
-      c.first.push_back(at.first);
-      c.second.push_back(at.second);
-      c.force.push_back(force);
-      c.normal.push_back(at.normal);
-      c.overlap.push_back(at.overlap);
-      c.point.push_back(at.first_position - (in.growth.scale * first.radius - 0.5 * at.overlap) * at.normal);
-      c.sliding.push_back(sliding);
+      sums.elastic += only(at.touching, share * elastic);
+      for (std::uint32_t lanes = bits(at.touching); lanes != 0; lanes &= lanes - 1) {
+        const int k = std::countr_zero(lanes);
+        const auto lane = [&](const simd::Vector<Real>& v) {
+          return Vec3(L::lane(v.x, k), L::lane(v.y, k), L::lane(v.z, k));
+        };
+        const auto [a, b] = who(k);
+        const double overlap = L::lane(at.overlap, k), radius = L::lane(first.radius, k);
+        result.sums.largest_overlap_share = std::max(result.sums.largest_overlap_share, overlap / radius);
+        if (b >= 0 && b < a) continue;
+        ++(b < 0 ? result.sums.wall_contacts : result.sums.particle_contacts);
+        if (!recorder->want_contacts) continue;
+        const Vec3 n = lane(at.normal);
+        Contacts& c = result.contacts;
+        c.first.push_back(a);
+        c.second.push_back(b);
+        c.force.push_back(L::lane(total, k) * n + lane(tangential_force));
+        c.normal.push_back(n);
+        c.overlap.push_back(overlap);
+        c.point.push_back(lane(first.position) - (in.growth.scale * radius - 0.5 * overlap) * n);
+        c.sliding.push_back((sliding >> k & 1u) != 0);
+      }
     }
   }
 
-  template <bool record>
-  [[gnu::always_inline]] void move(Particles& p, std::size_t i, const Load& load, const StepInput& in,
-                                   Recorder* recorder, StepSums& sums) const {
-    const Vec3 before = p.half_velocity.get(i);
-    const Vec3 acceleration = p.inverse_mass[i] * load.force + in.gravity;
-    const Vec3 half = before + in.dt * acceleration;
-    const Vec3 position = p.now.position.get(i) + in.dt * half;
-    p.half_velocity.set(i, half);
-    p.next.position.set(i, position);
-    p.next.velocity.set(i, half + 0.5 * in.dt * acceleration);
-    const double mass = 1 / p.inverse_mass[i];
-    sums.gravity_work += mass * in.dt * in.gravity.dot(half);
-    const double displacement = (position - list_.reference().get(i)).squaredNorm();
-    sums.largest_displacement_squared =
-        std::max(sums.largest_displacement_squared, displacement < std::numeric_limits<double>::infinity()
-                                                        ? displacement
-                                                        : std::numeric_limits<double>::infinity());
-    [[maybe_unused]] Vec3 half_turn_before = Vec3::Zero(), angular_acceleration = Vec3::Zero();
+  template <bool record, class L>
+  [[gnu::always_inline]] void move(Particles& p, const NeighbourGroup& group, const Bodies<L>& self,
+                                   const Loads<L>& loads, typename L::Mask occupied, const StepInput& in,
+                                   Recorder* recorder, LaneSums<L>& sums) const {
+    using simd::larger;
+    using Real = typename L::Real;
+    using Vector = simd::Vector<Real>;
+    const auto load = [&](const VectorArray& v) {
+      return Vector{L::load(&v.x[group.slot]), L::load(&v.y[group.slot]), L::load(&v.z[group.slot])};
+    };
+    const auto store = [&](VectorArray& to, const Vector& v) {
+      L::store(&to.x[group.slot], v.x);
+      L::store(&to.y[group.slot], v.y);
+      L::store(&to.z[group.slot], v.z);
+    };
+    const Real dt(in.dt), half_dt(0.5 * in.dt);
+    const Vector gravity{Real(in.gravity[0]), Real(in.gravity[1]), Real(in.gravity[2])};
+    const Vector before = load(p.half_velocity);
+    const Vector acceleration = fused(self.inverse_mass, loads.force, gravity);
+    const Vector half = fused(dt, acceleration, before);
+    const Vector position = fused(dt, half, self.position);
+    const Vector velocity = fused(half_dt, acceleration, half);
+    store(p.half_velocity, half);
+    double* row = reinterpret_cast<double*>(&p.next.rows[group.slot]);
+    const Real low[4] = {position.x, position.y, position.z, self.radius};
+    const Real high[4] = {velocity.x, velocity.y, velocity.z, self.inverse_mass};
+    L::template write_columns<row_stride>(row, low);
+    L::template write_columns<row_stride>(row + 4, high);
+
+    const Real mass = L::load(&p.mass[group.slot]);
+    sums.momentum = fused(mass, half, sums.momentum);
+    const Vector moved = position - load(list_.reference());
+    sums.displacement += only(occupied, moved);
+    const Vec3 common = list_.expected_displacement();
+    const Vector deviation = moved - Vector{Real(common[0]), Real(common[1]), Real(common[2])};
+    const Real share = squared_length(deviation) * L::load(&list_.inverse_margin_squared()[group.slot]);
+    sums.largest_share_squared = larger(sums.largest_share_squared, share);
+    sums.within_margins = sums.within_margins & (share < Real(1.0));
+
+    [[maybe_unused]] Vector half_turn_before = Vector::zero(), angular_acceleration = Vector::zero();
     if constexpr (Tangential::active) {
-      half_turn_before = p.half_angular_velocity.get(i);
-      angular_acceleration = p.inverse_inertia[i] * load.torque;
-      const Vec3 half_turn = half_turn_before + in.dt * angular_acceleration;
-      p.half_angular_velocity.set(i, half_turn);
-      p.next.angular_velocity.set(i, half_turn + 0.5 * in.dt * angular_acceleration);
+      half_turn_before = load(p.half_angular_velocity);
+      angular_acceleration = L::load(&p.inverse_inertia[group.slot]) * loads.torque;
+      const Vector half_turn = fused(dt, angular_acceleration, half_turn_before);
+      store(p.half_angular_velocity, half_turn);
+      const Vector turn = fused(half_dt, angular_acceleration, half_turn);
+      const Real spin[4] = {turn.x, turn.y, turn.z, Real(0.0)};
+      L::template write_columns<spin_stride>(reinterpret_cast<double*>(&p.next.spins[group.slot]), spin);
     }
     if constexpr (record) {
-      const Vec3 velocity = before + 0.5 * in.dt * acceleration;
-      sums.kinetic_translational += 0.5 * mass * velocity.squaredNorm();
-      sums.largest_speed_squared = std::max(sums.largest_speed_squared, velocity.squaredNorm());
-      recorder->velocity[i] = velocity;
-      recorder->force[i] = mass * acceleration;
-      if constexpr (Tangential::active) {
-        const Vec3 turn = half_turn_before + 0.5 * in.dt * angular_acceleration;
-        sums.kinetic_rotational += 0.5 / p.inverse_inertia[i] * turn.squaredNorm();
-        recorder->angular_velocity[i] = turn;
+      for (int k = 0; k < L::width; ++k) {
+        const std::size_t slot = static_cast<std::size_t>(group.slot) + k;
+        if ((group.lanes >> k & 1u) == 0) continue;
+        const auto lane = [&](const Vector& v) {
+          return Vec3(L::lane(v.x, k), L::lane(v.y, k), L::lane(v.z, k));
+        };
+        const Vec3 a = lane(acceleration), v = lane(before) + 0.5 * in.dt * a;
+        sums.recorded.kinetic_translational += 0.5 * p.mass[slot] * v.squaredNorm();
+        sums.recorded.largest_speed_squared = std::max(sums.recorded.largest_speed_squared, v.squaredNorm());
+        recorder->velocity[p.id[slot]] = v;
+        recorder->force[p.id[slot]] = p.mass[slot] * a;
+        if constexpr (Tangential::active) {
+          const Vec3 turn = lane(half_turn_before) + 0.5 * in.dt * lane(angular_acceleration);
+          sums.recorded.kinetic_rotational += 0.5 / p.inverse_inertia[slot] * turn.squaredNorm();
+          recorder->angular_velocity[p.id[slot]] = turn;
+        }
       }
     }
   }
@@ -235,30 +411,14 @@ class NewtonianStep final : public Dynamics {
     extend(to.sliding, from.sliding);
   }
 
-  void carry_springs(const NeighbourList& before, std::size_t count) {
-    std::vector<Vec3> carried(list_.size(), Vec3::Zero());
-    if (before.builds() == 0) {
-      wall_springs_.assign(count * planes_.size(), Vec3::Zero());
-    } else {
-      const auto n = static_cast<std::ptrdiff_t>(count);
-#pragma omp parallel for schedule(static) num_threads(useful_threads(count))
-      for (std::ptrdiff_t i = 0; i < n; ++i) {
-        for (std::size_t k = list_.first(i); k < list_.last(i); ++k) {
-          for (std::size_t old = before.first(i); old < before.last(i); ++old) {
-            if (before.entry(old).index == list_.entry(k).index) carried[k] = springs_[old];
-          }
-        }
-      }
-    }
-    springs_ = std::move(carried);
-  }
-
+  Domain domain_;
+  Vec3 inverse_side_;  ///< 0 along axes that are not periodic [1/m]
   std::vector<Plane> planes_;
   NeighbourList list_;
   PairTable<Normal> normal_;
   PairTable<Tangential> tangential_;
-  std::vector<Vec3> springs_;       ///< one an entry of the list [m]; unused without friction
-  std::vector<Vec3> wall_springs_;  ///< one a particle and plane
+  ContactHistory history_;
+  std::vector<BlockResult> results_;
 };
 
 }  // namespace packstone::engine

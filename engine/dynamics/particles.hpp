@@ -1,16 +1,17 @@
-// The particles' state as structure of arrays.
+// The particles' state, in slots that follow the neighbour list: neighbours in space lie close in memory.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "engine/aligned_vector.hpp"
 
 namespace packstone::engine {
 
-/// Three arrays that together hold one vector a particle.
+/// Three arrays that together hold one vector a slot.
 struct VectorArray {
-  std::vector<double> x, y, z;
+  AlignedVector<double> x, y, z;
 
   void resize(std::size_t n) {
     for (auto* component : {&x, &y, &z}) component->resize(n, 0.0);
@@ -23,31 +24,52 @@ struct VectorArray {
   }
 };
 
-/// What contact forces see of a particle at one instant; kept twice, one read while the other is written.
-struct Kinematics {
-  VectorArray position;          ///< [m]; outside the box by less than the list's margin along periodic axes
-  VectorArray velocity;          ///< [m/s]
-  VectorArray angular_velocity;  ///< [rad/s]; empty where nothing turns
+/// What a contact sees of a particle: one cache line.
+struct alignas(64) Row {
+  Vec3 position = Vec3::Zero();  ///< [m]; leaves the box along periodic axes until the list is built anew
+  double radius = 0;             ///< at full size [m]
+  Vec3 velocity = Vec3::Zero();  ///< [m/s]
+  double inverse_mass = 0;       ///< at full size [1/kg]
+};
+static_assert(sizeof(Row) == 8 * sizeof(double));
 
-  void resize(std::size_t n, bool rotates) {
-    position.resize(n);
-    velocity.resize(n);
-    if (rotates) angular_velocity.resize(n);
-  }
+/// How it turns; where anything does.
+struct alignas(32) Spin {
+  Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+  double unused = 0;
+};
+static_assert(sizeof(Spin) == 4 * sizeof(double));
+
+/// One instant; kept twice, one read while the other is written.
+struct Kinematics {
+  AlignedVector<Row> rows;
+  AlignedVector<Spin> spins;  ///< empty where nothing turns
 };
 
-/// Everything a particle keeps from step to step, ordered by id.
+/// Everything a particle keeps from step to step, by slot. Some slots are empty: those that fill up the last lanes, and
+/// the last of all, which stands for no neighbour: nothing touches it, since its position is not a number.
 struct Particles {
-  Kinematics now, next;
-  VectorArray half_velocity;            ///< half a step after `now`'s instant before it is advanced [m/s]
-  VectorArray half_angular_velocity;    ///< the same, turning [rad/s]
-  std::vector<double> radius;           ///< at full size [m]
-  std::vector<double> inverse_mass;     ///< at full size [1/kg]
-  std::vector<double> inverse_inertia;  ///< at full size, of 2/5 m R^2 [1/(kg m2)]
-  std::vector<std::uint16_t> material;
-  std::vector<std::int32_t> type;
+  static constexpr std::int32_t no_particle = -1;
 
-  std::size_t size() const { return radius.size(); }
+  Kinematics now, next;
+  VectorArray half_velocity;              ///< half a step before `now` [m/s]
+  VectorArray half_angular_velocity;      ///< the same, turning [rad/s]
+  AlignedVector<double> mass;             ///< at full size [kg]; 0 in an empty slot
+  AlignedVector<double> inverse_inertia;  ///< at full size, of 2/5 m R^2 [1/(kg m2)]; empty where nothing turns
+  std::vector<std::int32_t> id;           ///< no_particle in an empty slot
+  std::vector<std::int32_t> type;         ///< [[particles]] entry
+  std::vector<std::int32_t> material;
+  std::size_t count = 0;  ///< particles, not slots
+
+  std::size_t size() const { return count; }
+  std::size_t slots() const { return id.size(); }
+  bool turns() const { return !now.spins.empty(); }
+  bool is_particle(std::size_t slot) const { return id[slot] != no_particle; }
+  /// The slot that stands for no neighbour.
+  std::int32_t nobody() const { return static_cast<std::int32_t>(slots()) - 1; }
+
+  /// Puts into each slot what was in slot `from[slot]`, nothing where that is no_particle. The last must be so.
+  void reorder(const std::vector<std::int32_t>& from);
 };
 
 /// Radii as a share of full size; 1 and 0 outside a growth filling.

@@ -35,7 +35,7 @@ struct StepSums {
   double dissipated = 0;                    ///< by normal damping and sliding [J]
   double growth_work = 0;                   ///< of growing radii against contact forces [J]
   double gravity_work = 0;                  ///< [J]
-  double largest_displacement_squared = 0;  ///< since the list was built; infinite if not a number [m2]
+  double largest_share_squared = 0;         ///< of its list margin that a particle has used; infinite if not a number
   std::optional<Offence> offence;
   double kinetic_translational = 0;    ///< (recorded) [J]
   double kinetic_rotational = 0;       ///< (recorded) [J]
@@ -48,7 +48,7 @@ struct StepSums {
   void add(const StepSums& other);
 };
 
-/// Per-particle results of a recording step, at the instant the step begins with.
+/// Per-particle results of a recording step by id, at the instant the step begins with.
 struct Recorder {
   bool want_contacts = false;
   std::vector<Vec3> velocity;          ///< [m/s]
@@ -62,10 +62,10 @@ class Dynamics {
  public:
   virtual ~Dynamics() = default;
 
-  /// Builds the list anew and carries contact history over.
-  virtual void rebuild(Particles& particles, const Growth& growth) = 0;
+  /// Builds the list anew, gives the particles new slots and carries contact history over. dt: of the coming steps [s].
+  virtual void rebuild(Particles& particles, const Growth& growth, double dt) = 0;
 
-  /// Forces at `now`, motion into `next`; the caller swaps them. recorder may be null.
+  /// Forces at `now`, motion into `next`; the caller swaps them. recorder, by id, may be null.
   virtual StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) = 0;
 
   virtual const NeighbourList& neighbours() const = 0;

@@ -1,0 +1,128 @@
+// Particles sorted into grids of cells, one grid a size class: He, Dong & Zhou, Phys. Rev. E 75 (2007) 036710.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/domain.hpp"
+#include "engine/aligned_vector.hpp"
+#include "engine/dynamics/particles.hpp"
+
+namespace packstone::engine {
+
+/// Each particle has an extent, the radius of a sphere about its centre, and is sorted into the level of its extent,
+/// whose cells are about as wide as its largest spheres. A search visits on every level only the cells that its sphere
+/// can meet, so that its cost does not depend on the ratio of sizes: towards coarser levels those are a handful,
+/// towards finer ones as many as particles find room in.
+///
+/// Within a level cells are stacked into columns along z, and columns are numbered tile by tile, so that what is close
+/// in space is close in the order and a column's part of a search is one range of it.
+class HierarchicalGrid {
+ public:
+  /// Sorts the particles. position: inside the box along periodic axes [m]; extent: [m].
+  void build(const Domain& domain, const VectorArray& position, const AlignedVector<double>& extent);
+
+  /// Numbers that build was given, in the order of the grid.
+  const std::vector<std::int32_t>& order() const { return order_; }
+  /// Positions and extents in that order, followed by `padding` copies of the last.
+  const VectorArray& position() const { return position_; }
+  const AlignedVector<double>& extent() const { return extent_; }
+  double largest_extent() const { return levels_.empty() ? 0 : levels_.back().extent; }
+  std::size_t levels() const { return levels_.size(); }
+
+  /// Lanes that a reader may run over the end.
+  static constexpr std::size_t padding = 8;
+
+  /// Calls visit(begin, end) for ranges of the order that together hold every particle, once, whose sphere can meet the
+  /// sphere of this extent about a point.
+  template <class Visit>
+  void for_each_range(const Vec3& point, double extent, Visit&& visit) const {
+    for (const Level& level : levels_) visit_level(level, point, extent, visit);
+  }
+
+ private:
+  struct Level {
+    double extent = 0;       ///< of its largest sphere [m]
+    Vec3 low = Vec3::Zero();  ///< corner of cell (0, 0, 0) [m]
+    Vec3 width = Vec3::Ones();
+    Vec3 cells_per_metre = Vec3::Ones();
+    std::array<int, 3> cells = {1, 1, 1};
+    std::array<bool, 3> periodic = {false, false, false};
+    std::int64_t first_cell = 0;  ///< into first_
+
+    std::int64_t cell_count() const { return static_cast<std::int64_t>(cells[0]) * cells[1] * cells[2]; }
+    int cell_along(double coordinate, int axis) const;
+    /// Where a column's cells begin, counted from first_cell.
+    std::int64_t column(int a, int b) const;
+  };
+
+  /// Cells first..last along an axis, before they are wrapped into the box; all of them once when a search is as wide
+  /// as the box.
+  struct Window {
+    int first, last;
+    bool whole;
+  };
+
+  void choose_levels(const AlignedVector<double>& extent, std::vector<std::uint8_t>& level_of);
+  void lay_out(Level& level, const Domain& domain, const Vec3& low, const Vec3& high, std::int64_t particles) const;
+  static Window window(const Level& level, int axis, double coordinate, double reach);
+  static int wrapped(int cell, int cells) { return cell < 0 ? cell + cells : cell >= cells ? cell - cells : cell; }
+
+  template <class Visit>
+  void visit_level(const Level& level, const Vec3& point, double extent, Visit& visit) const;
+  template <class Visit>
+  void visit_column(const Level& level, std::int64_t column, double z, double half_height, Visit& visit) const;
+
+  std::vector<Level> levels_;          ///< finest first
+  std::vector<std::int32_t> first_;    ///< where each cell begins in the order
+  std::vector<std::int32_t> order_;
+  VectorArray position_;
+  AlignedVector<double> extent_;
+};
+
+template <class Visit>
+void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double extent, Visit& visit) const {
+  constexpr double rounding = 1 + 1e-12;  // a pair found from one side is found from the other
+  const double reach = (extent + level.extent) * rounding;
+  const Window wx = window(level, 0, point[0], reach), wy = window(level, 1, point[1], reach);
+  for (int b = wy.first; b <= wy.last; ++b) {
+    const auto distance = [&](const Window& w, int cell, int axis) {  // from the point to the cell's slab
+      if (w.whole) return 0.0;
+      const double near = level.low[axis] + cell * level.width[axis] - point[axis];
+      return std::max({near, -near - level.width[axis], 0.0}) * (2 - rounding);
+    };
+    const double dy = distance(wy, b, 1);
+    for (int a = wx.first; a <= wx.last; ++a) {
+      const double dx = distance(wx, a, 0);
+      const double squared = reach * reach - dx * dx - dy * dy;
+      if (squared < 0) continue;
+      visit_column(level, level.column(wrapped(a, level.cells[0]), wrapped(b, level.cells[1])), point[2],
+                   std::sqrt(squared), visit);
+    }
+  }
+}
+
+template <class Visit>
+void HierarchicalGrid::visit_column(const Level& level, std::int64_t column, double z, double half_height,
+                                    Visit& visit) const {
+  const Window w = window(level, 2, z, half_height);
+  const std::int32_t* first = first_.data() + level.first_cell + column;
+  const int cells = level.cells[2];
+  const auto range = [&](int from, int to) {
+    if (first[from] < first[to + 1]) visit(first[from], first[to + 1]);
+  };
+  if (w.first > w.last) return;
+  if (w.first < 0) {
+    range(w.first + cells, cells - 1);
+    range(0, w.last);
+  } else if (w.last >= cells) {
+    range(w.first, cells - 1);
+    range(0, w.last - cells);
+  } else {
+    range(w.first, w.last);
+  }
+}
+
+}  // namespace packstone::engine

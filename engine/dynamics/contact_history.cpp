@@ -1,0 +1,76 @@
+#include "engine/dynamics/contact_history.hpp"
+
+#include <algorithm>
+
+#include "engine/threads.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+/// Calls visit(id, springs, row, lane, partner) for each entry and wall of the group.
+template <class SpringsOf, class Visit>
+void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t group_number, SpringsOf& history,
+                      std::size_t boundaries, Visit&& visit) {
+  const NeighbourGroup& group = list.groups()[group_number];
+  for (int lane = 0; lane < list.width(); ++lane) {
+    const bool occupied = group.shared || (group.lanes >> lane & 1u) != 0;
+    if (!occupied) continue;
+    const std::int64_t id = p.id[group.shared ? group.slot : group.slot + lane];
+    for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
+      const std::int32_t neighbour = list.row(row)[lane];
+      if (neighbour != p.nobody()) visit(id, history.pairs, row, lane, static_cast<std::int64_t>(p.id[neighbour]));
+    }
+    if (group.shared && lane > 0) continue;
+    for (std::size_t w = 0; w < boundaries; ++w) {
+      const auto row = static_cast<std::int64_t>(w * list.groups().size() + group_number);
+      visit(id, history.walls, row, lane, -1 - static_cast<std::int64_t>(w));
+    }
+  }
+}
+
+}  // namespace
+
+StoredContacts ContactHistory::store(const NeighbourList& list, const Particles& p, std::size_t boundaries) const {
+  StoredContacts stored;
+  stored.end.assign(p.size() + 1, 0);
+  if (list.builds() == 0) return stored;
+  const auto for_all = [&](auto&& visit) {
+    const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
+#pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
+    for (std::ptrdiff_t g = 0; g < groups; ++g) {
+      for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
+                       [&](std::int64_t id, const Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+                         if (springs.touched(row, lane)) visit(id, springs, row, lane, partner);
+                       });
+    }
+  };
+  // Counts move one place on, so that filling in leaves each particle's end where it belongs.
+  for_all([&](std::int64_t id, const Springs&, std::int64_t, int, std::int64_t) { ++stored.end[id + 1]; });
+  for (std::size_t id = 0; id < p.size(); ++id) stored.end[id + 1] += stored.end[id];
+  stored.contacts.resize(static_cast<std::size_t>(stored.end.back()));
+  for_all([&](std::int64_t id, const Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+    stored.contacts[stored.end[id]++] = {partner, springs.get(row, lane)};
+  });
+  return stored;
+}
+
+void ContactHistory::restore(const StoredContacts& stored, const NeighbourList& list, const Particles& p,
+                             std::size_t boundaries) {
+  pairs.resize(list.rows(), list.width());
+  walls.resize(static_cast<std::int64_t>(boundaries * list.groups().size()), list.width());
+  const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
+#pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
+  for (std::ptrdiff_t g = 0; g < groups; ++g) {
+    for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
+                     [&](std::int64_t id, Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+                       for (std::int64_t c = id == 0 ? 0 : stored.end[id - 1]; c < stored.end[id]; ++c) {
+                         if (stored.contacts[c].partner != partner) continue;
+                         springs.set(row, lane, stored.contacts[c].spring);
+                         break;
+                       }
+                     });
+  }
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,84 @@
+// Tangential springs of contacts, beside the rows of the neighbour list, and how they survive its rebuilding.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/aligned_vector.hpp"
+#include "engine/detection/neighbour_list.hpp"
+#include "engine/simd/vector.hpp"
+
+namespace packstone::engine {
+
+/// One spring a lane and row [m]. Springs of contacts that did not touch in the step before are zero, and are kept so by
+/// a bit rather than by writing zeros.
+class Springs {
+ public:
+  void resize(std::int64_t rows, int width) {
+    width_ = width;
+    values_.assign(static_cast<std::size_t>(rows) * width * 3, 0.0);
+    touched_.assign(static_cast<std::size_t>(rows), 0);
+  }
+
+  template <class Lanes>
+  simd::Vector<typename Lanes::Real> load(std::int64_t row) const {
+    using simd::only;
+    const double* at = &values_[index(row)];
+    const simd::Vector<typename Lanes::Real> spring{Lanes::load(at), Lanes::load(at + width_),
+                                                    Lanes::load(at + 2 * width_)};
+    return only(Lanes::mask(touched_[row]), spring);
+  }
+  template <class Lanes>
+  void store(std::int64_t row, typename Lanes::Mask touching, const simd::Vector<typename Lanes::Real>& spring) {
+    using simd::bits;
+    double* at = &values_[index(row)];
+    Lanes::store(at, spring.x);
+    Lanes::store(at + width_, spring.y);
+    Lanes::store(at + 2 * width_, spring.z);
+    touched_[row] = static_cast<std::uint8_t>(bits(touching));
+  }
+  /// Nothing touches in this row.
+  void none(std::int64_t row) {
+    if (touched_[row] != 0) touched_[row] = 0;
+  }
+
+  bool touched(std::int64_t row, int lane) const { return (touched_[row] >> lane & 1u) != 0; }
+  Vec3 get(std::int64_t row, int lane) const {
+    const double* at = &values_[index(row) + lane];
+    return {at[0], at[width_], at[2 * width_]};
+  }
+  void set(std::int64_t row, int lane, const Vec3& spring) {
+    double* at = &values_[index(row) + lane];
+    for (int axis = 0; axis < 3; ++axis) at[axis * width_] = spring[axis];
+    touched_[row] = static_cast<std::uint8_t>(touched_[row] | 1u << lane);
+  }
+  std::size_t bytes() const { return values_.capacity() * sizeof(double) + touched_.capacity(); }
+
+ private:
+  std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
+
+  int width_ = 1;
+  AlignedVector<double> values_;  ///< (rows, 3, width)
+  std::vector<std::uint8_t> touched_;
+};
+
+/// Springs in contact by particle id, free of the list's layout.
+struct StoredContacts {
+  struct Contact {
+    std::int64_t partner;  ///< id, or -1-k for boundary k
+    Vec3 spring;
+  };
+  std::vector<std::int64_t> end;  ///< of each particle's contacts, by id
+  std::vector<Contact> contacts;
+};
+
+struct ContactHistory {
+  Springs pairs;  ///< rows of the list
+  Springs walls;  ///< boundary by boundary, a row for each group of the list
+
+  StoredContacts store(const NeighbourList& list, const Particles& particles, std::size_t boundaries) const;
+  void restore(const StoredContacts& stored, const NeighbourList& list, const Particles& particles,
+               std::size_t boundaries);
+};
+
+}  // namespace packstone::engine

@@ -1,0 +1,146 @@
+// Eight lanes in AVX-512 registers (F, DQ, VL). See scalar.hpp for what each operation means.
+#pragma once
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define PACKSTONE_AVX512 1
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace packstone::engine::simd {
+
+struct Avx512 {
+  static constexpr int width = 8;
+  static constexpr const char* name = "AVX-512";
+
+  /// The plain forms of some intrinsics make GCC 12 warn of undefined registers in its own header (GCC bug 105593);
+  /// their masked forms with all lanes are the same instructions.
+  static constexpr __mmask8 all = 0xff;
+
+  struct Mask {
+    __mmask8 bits = 0;
+
+    friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+    friend Mask operator|(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
+    friend bool any(Mask m) { return m.bits != 0; }
+    friend std::uint32_t bits(Mask m) { return m.bits; }
+  };
+
+  struct Real {
+    __m512d v;
+
+    Real() = default;
+    Real(double x) : v(_mm512_set1_pd(x)) {}
+    Real(__m512d x) : v(x) {}
+
+    friend Real operator+(Real a, Real b) { return _mm512_add_pd(a.v, b.v); }
+    friend Real operator-(Real a, Real b) { return _mm512_sub_pd(a.v, b.v); }
+    friend Real operator*(Real a, Real b) { return _mm512_mul_pd(a.v, b.v); }
+    friend Real operator/(Real a, Real b) { return _mm512_div_pd(a.v, b.v); }
+    friend Real operator-(Real a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)); }
+    Real& operator+=(Real b) { return *this = *this + b; }
+    Real& operator-=(Real b) { return *this = *this - b; }
+    Real& operator*=(Real b) { return *this = *this * b; }
+    friend Mask operator<(Real a, Real b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
+    friend Mask operator>(Real a, Real b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
+
+    friend Real fused(Real a, Real b, Real c) { return _mm512_fmadd_pd(a.v, b.v, c.v); }
+    friend Real fused_where(Mask m, Real a, Real b, Real c) { return _mm512_mask3_fmadd_pd(a.v, b.v, c.v, m.bits); }
+    friend Real select(Mask m, Real yes, Real no) { return _mm512_mask_blend_pd(m.bits, no.v, yes.v); }
+    friend Real only(Mask m, Real x) { return _mm512_maskz_mov_pd(m.bits, x.v); }
+    friend Real larger(Real a, Real b) { return _mm512_maskz_max_pd(all, a.v, b.v); }
+    friend Real smaller(Real a, Real b) { return _mm512_maskz_min_pd(all, a.v, b.v); }
+    friend Real absolute(Real a) { return _mm512_abs_pd(a.v); }
+    friend Real nearest_integer(Real a) {
+      return _mm512_maskz_roundscale_pd(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    }
+    /// From the 14-bit estimate by two Newton steps: several times faster than sqrt and divide.
+    friend Real inverse_sqrt(Real x) {
+      Real y = _mm512_maskz_rsqrt14_pd(all, x.v);
+      const Real half = Real(0.5) * x;
+      y = y * fused(-half * y, y, Real(1.5));
+      return y * fused(-half * y, y, Real(1.5));
+    }
+    friend double sum(Real x) {
+      return ((x.v[0] + x.v[4]) + (x.v[2] + x.v[6])) + ((x.v[1] + x.v[5]) + (x.v[3] + x.v[7]));
+    }
+    friend double largest(Real x) {
+      double most = x.v[0];
+      for (int k = 1; k < width; ++k) most = most < x.v[k] ? x.v[k] : most;
+      return most;
+    }
+  };
+
+  static Real load(const double* p) { return _mm512_loadu_pd(p); }
+  static void store(double* p, Real x) { _mm512_storeu_pd(p, x.v); }
+  static double lane(Real x, int k) { return x.v[k]; }
+  static Mask mask(std::uint32_t lanes) { return {static_cast<__mmask8>(lanes)}; }
+  static Real gather(const double* table, const std::int32_t* index) {
+    return _mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), table, sizeof(double));
+  }
+
+  template <int columns, std::size_t stride>
+  static void read_columns(const double* base, const std::int32_t* index, Real* column) {
+    const auto row = [&](int k) { return base + stride * static_cast<std::size_t>(index[k]); };
+    read_half<columns>(row, 0, column);
+    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
+  }
+  template <int columns, std::size_t stride>
+  static void read_columns(const double* rows, Real* column) {
+    const auto row = [&](int k) { return rows + stride * static_cast<std::size_t>(k); };
+    read_half<columns>(row, 0, column);
+    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
+  }
+
+  template <std::size_t stride>
+  static void write_columns(double* rows, const Real* column) {
+    const __m512d xy_even = _mm512_maskz_unpacklo_pd(all, column[0].v, column[1].v);
+    const __m512d xy_odd = _mm512_maskz_unpackhi_pd(all, column[0].v, column[1].v);
+    const __m512d zw_even = _mm512_maskz_unpacklo_pd(all, column[2].v, column[3].v);
+    const __m512d zw_odd = _mm512_maskz_unpackhi_pd(all, column[2].v, column[3].v);
+    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+    const auto write = [&](int k, __m512d even_or_odd_rows) {
+      _mm256_storeu_pd(rows + stride * k, _mm512_castpd512_pd256(even_or_odd_rows));
+      _mm256_storeu_pd(rows + stride * (k + 2), _mm512_maskz_extractf64x4_pd(all, even_or_odd_rows, 1));
+    };
+    write(0, _mm512_permutex2var_pd(xy_even, low, zw_even));
+    write(1, _mm512_permutex2var_pd(xy_odd, low, zw_odd));
+    write(4, _mm512_permutex2var_pd(xy_even, high, zw_even));
+    write(5, _mm512_permutex2var_pd(xy_odd, high, zw_odd));
+  }
+
+  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
+    const __m256i index =
+        _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(mask.bits, index));
+    return std::popcount(mask.bits);
+  }
+
+ private:
+  /// Up to four columns from `offset` on. Two half rows go into one register straight from memory, which spares a third
+  /// of the shuffles of an 8 x 8 transpose; gather instructions are slower still.
+  template <int columns, class RowAt>
+  [[gnu::always_inline]] static void read_half(const RowAt& row, int offset, Real* column) {
+    const auto two = [&](int a, int b) {
+      return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(row(a) + offset)),
+                                _mm256_loadu_pd(row(b) + offset), 1);
+    };
+    const __m512d a = two(0, 2), b = two(1, 3), c = two(4, 6), d = two(5, 7);
+    const __m512d even_low = _mm512_maskz_unpacklo_pd(all, a, b), even_high = _mm512_maskz_unpacklo_pd(all, c, d);
+    constexpr int lanes_0_2 = 0x88, lanes_1_3 = 0xdd;
+    column[0].v = _mm512_maskz_shuffle_f64x2(all, even_low, even_high, lanes_0_2);
+    if constexpr (columns > 2) column[2].v = _mm512_maskz_shuffle_f64x2(all, even_low, even_high, lanes_1_3);
+    if constexpr (columns > 1) {
+      const __m512d odd_low = _mm512_maskz_unpackhi_pd(all, a, b), odd_high = _mm512_maskz_unpackhi_pd(all, c, d);
+      column[1].v = _mm512_maskz_shuffle_f64x2(all, odd_low, odd_high, lanes_0_2);
+      if constexpr (columns > 3) column[3].v = _mm512_maskz_shuffle_f64x2(all, odd_low, odd_high, lanes_1_3);
+    }
+  }
+};
+
+}  // namespace packstone::engine::simd
+
+#endif
