@@ -47,11 +47,8 @@ std::vector<Plane> make_planes(const Scene& scene) {
   return planes;
 }
 
-std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  const double largest_radius =
-      std::max_element(scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) {
-        return a.radius < b.radius;
-      })->radius;
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes,
+                                         double largest_radius) {
   switch (scene.contact.normal) {
     case NormalModel::hysteretic:
       return with_normal<Hysteretic>(scene, domain, planes, largest_radius);

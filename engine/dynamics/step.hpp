@@ -72,7 +72,9 @@ class Dynamics {
 };
 
 /// Combines the scene's laws once. Friction that is zero everywhere costs nothing: no rotation, no history.
-std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+/// largest_radius: of all particles at full size [m].
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes,
+                                         double largest_radius);
 
 /// Whether particles turn: only friction turns a sphere.
 bool rotates(const Scene& scene);

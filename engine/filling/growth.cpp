@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/geometry.hpp"
 #include "core/random.hpp"
-#include "engine/dynamics/step.hpp"
 
 namespace packstone::engine {
 
@@ -18,7 +16,6 @@ constexpr double binary_close_packing = 1 - (1 - random_close_packing) * (1 - ra
 /// Below this ratio of radii small spheres do not fit into the gaps, and mixtures pack much as equal spheres do.
 constexpr double gap_filling_ratio = 2.0;
 constexpr int placement_trials = 1000;
-constexpr double solid_sphere_inertia = 2.0 / 5.0;  ///< in m R^2
 
 Vec3 region_low(const Scene& s, const Domain& d) { return s.filling.region_min.value_or(d.min); }
 Vec3 region_high(const Scene& s, const Domain& d) { return s.filling.region_max.value_or(d.max); }
@@ -39,10 +36,11 @@ Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector
 }  // namespace
 
 void check_growth_volume(const Scene& scene, const Domain& domain) {
-  const auto [smallest, largest] = std::minmax_element(
-      scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  const auto [smallest, largest] =
+      std::minmax_element(scene.particles.begin(), scene.particles.end(),
+                          [](const auto& a, const auto& b) { return *a.radius < *b.radius; });
   const double limit =
-      largest->radius > gap_filling_ratio * smallest->radius ? binary_close_packing : random_close_packing;
+      *largest->radius > gap_filling_ratio * *smallest->radius ? binary_close_packing : random_close_packing;
   const double room = (region_high(scene, domain) - region_low(scene, domain)).prod();
   const double solid = scene.solid_volume();
   if (solid > limit * room) {
@@ -55,34 +53,26 @@ void check_growth_volume(const Scene& scene, const Domain& domain) {
   }
 }
 
-Particles grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  const auto n = static_cast<std::size_t>(scene.particle_count());
-  const bool turning = rotates(scene);
-  Particles p;
-  p.now.resize(n, turning);
-  p.next.resize(n, turning);
-  p.half_velocity.resize(n);
-  if (turning) p.half_angular_velocity.resize(n);
+StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+  StartingState start;
   for (std::size_t g = 0; g < scene.particles.size(); ++g) {
     const GroupSpec& group = scene.particles[g];
-    const int material = scene.material_index(group.material);
-    const double mass = scene.materials[material].density * sphere_volume(group.radius);
-    for (std::int64_t k = 0; k < group.count; ++k) {
-      const std::size_t i = p.size();
-      p.radius.push_back(group.radius);
-      p.inverse_mass.push_back(1 / mass);
-      p.inverse_inertia.push_back(1 / (solid_sphere_inertia * mass * group.radius * group.radius));
-      p.material.push_back(static_cast<std::uint16_t>(material));
-      p.type.push_back(static_cast<std::int32_t>(g));
-      p.now.position.set(i, random_position(scene, domain, planes, static_cast<std::int64_t>(i)));
+    for (std::int64_t k = 0; k < *group.count; ++k) {
+      const auto id = static_cast<std::int64_t>(start.size());
+      start.position.push_back(random_position(scene, domain, planes, id));
+      start.radius.push_back(*group.radius);
+      start.type.push_back(static_cast<std::int32_t>(g));
     }
   }
-  return p;
+  start.velocity.assign(start.size(), Vec3::Zero());
+  start.angular_velocity.assign(start.size(), Vec3::Zero());
+  return start;
 }
 
 Growth growth_at(const Scene& scene, double time) {
-  if (time >= scene.filling.duration) return {1, 0};
-  return {time / scene.filling.duration, 1 / scene.filling.duration};
+  const double duration = scene.filling.over();
+  if (time >= duration) return {1, 0};
+  return {time / duration, 1 / duration};
 }
 
 }  // namespace packstone::engine

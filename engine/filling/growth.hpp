@@ -8,6 +8,7 @@
 #include "core/scene.hpp"
 #include "engine/boundary/plane.hpp"
 #include "engine/dynamics/particles.hpp"
+#include "engine/filling/starting_state.hpp"
 
 namespace packstone::engine {
 
@@ -16,9 +17,9 @@ void check_growth_volume(const Scene& scene, const Domain& domain);
 
 /// All particles at rest at random positions in the region, on the inner side of every plane. Ids follow the groups.
 /// Throws InputError when the planes leave no room.
-Particles grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
 
-/// Share of full size and its rate at a time [s].
+/// Share of full size and its rate at a time [s]; full size throughout where nothing grows.
 Growth growth_at(const Scene& scene, double time);
 
 }  // namespace packstone::engine

@@ -59,9 +59,10 @@ class HandMade {
     particles.next.resize(spheres.size(), turning);
     particles.half_velocity.resize(spheres.size());
     if (turning) particles.half_angular_velocity.resize(spheres.size());
+    double largest_radius = 0.02;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       const Sphere& s = spheres[i];
-      scene_.particles.front().radius = std::max(scene_.particles.front().radius, s.radius);
+      largest_radius = std::max(largest_radius, s.radius);
       const double mass = s.density * 4.0 / 3.0 * std::numbers::pi * std::pow(s.radius, 3);
       particles.radius.push_back(s.radius);
       particles.inverse_mass.push_back(1 / mass);
@@ -74,7 +75,7 @@ class HandMade {
     }
     input.dt = dt;
     input.overlap_limit = 0.5;
-    dynamics = make_newtonian(scene_, scene_.box(), make_planes(scene_));
+    dynamics = make_newtonian(scene_, scene_.box(), make_planes(scene_), largest_radius);
   }
 
   StepSums step(Recorder* recorder = nullptr) {

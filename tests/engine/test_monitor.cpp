@@ -58,7 +58,7 @@ TEST_CASE("a particle gone for good through an open face is named") {
 
 TEST_CASE("a position or an energy that is not a number is reported") {
   const Scene scene = parse_scene(small_scene, "s.toml");
-  Monitor monitor(scene, scene.box(), 1e-5);
+  Monitor monitor(scene, scene.box(), 1e-5, 1e-5);
   Particles p;
   p.now.resize(2, false);
   p.radius = {0.02, 0.02};
