@@ -75,16 +75,16 @@ class FileCheck {
 
   void check_face(const FileParticle& p, int face) const {
     const int axis = face / 2;
-    if (domain_.periodic[axis]) return;
-    const bool open = std::count(scene_.domain.open.begin(), scene_.domain.open.end(), face) > 0;
+    const bool open =
+        domain_.periodic[axis] || std::count(scene_.domain.open.begin(), scene_.domain.open.end(), face) > 0;
     const double limit = face % 2 ? domain_.max[axis] : domain_.min[axis];
     const double beyond = (face % 2 ? 1 : -1) * (p.position[axis] - limit);
-    if (beyond <= (open ? domain_.size()[axis] : 0)) return;
+    if (beyond <= (open ? domain_.size()[axis] : 0)) return;  // a box away or more: wrong units, more likely
     fail(p, axis_columns[axis],
-         fmt::format("{:g} m lies outside the domain, whose {} side is at {:g} m{}", p.position[axis], sides[face % 2],
-                     limit,
-                     open ? ", by more than the domain's length; move the particle or enlarge the domain"
-                          : "; move the particle, enlarge the domain, or open the face in domain.open"));
+         fmt::format(
+             "{:g} m lies outside the domain, whose {} side is at {:g} m{}", p.position[axis], sides[face % 2], limit,
+             open ? ", by more than the domain's length; move the particle or enlarge the domain (lengths are in m)"
+                  : "; move the particle, enlarge the domain, or open the face in domain.open"));
   }
 
   const Scene& scene_;

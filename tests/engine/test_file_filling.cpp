@@ -119,6 +119,7 @@ TEST_CASE("a particle outside the domain or behind a wall is refused") {
                                                    Contains("domain.open"));
   CHECK_THAT(row("0.1,-0.1,0.1,0.02", closed), StartsWith("start.csv:2: y: -0.1 m") && Contains("lower"));
   CHECK_THAT(row("0.1,0.1,0.81,0.02"), StartsWith("start.csv:2: z: 0.81 m") && Contains("domain's length"));
+  CHECK_THAT(row("100,0.1,0.1,0.02"), StartsWith("start.csv:2: x: 100 m") && Contains("lengths are in m"));
   CHECK_THAT(row("0.1,0.1,0.01,0.02", {"boundary[0].point=[0, 0, 0.05]"}),
              StartsWith("start.csv:2: x, y, z: the centre lies behind the boundary floor"));
   CHECK_THAT(row("0.1,0.1,0.1,0.06"), Contains("the periodic side along x is 0.2 m"));
