@@ -70,10 +70,10 @@ std::size_t filled_snapshot(const RunReader& run, double filling_duration) {
 ReportedMeasures measure(const RunReader& run) {
   const Scene scene = parse_scene(run.scene_text(), (run.path() / "scene.toml").string());
   ReportedMeasures m;
-  const Snapshot filled = run.snapshot(filled_snapshot(run, scene.filling.duration));
+  const Snapshot filled = run.snapshot(filled_snapshot(run, scene.filling.over()));
   const Snapshot end = run.snapshot(run.index_at("last"));
   m.filled_time = filled.time;
-  m.filling_over = filled.time >= scene.filling.duration * (1 - filling_rounding);
+  m.filling_over = filled.time >= scene.filling.over() * (1 - filling_rounding);
   m.filled = analysis::analyze(filled);
   m.end_time = end.time;
   m.end = analysis::analyze(end);

@@ -39,11 +39,17 @@ class OptionDocumenter : public OptionVisitor {
   void integer(const OptionInfo& info, std::int64_t& value, Presence presence) override {
     add(info, "whole number", info.range.text(), fmt::format("{}", value), presence);
   }
+  void integer(const OptionInfo& info, std::optional<std::int64_t>&) override {
+    add(info, "whole number", info.range.text(), "", Presence::has_default);
+  }
   void boolean(const OptionInfo& info, bool& value) override {
     add(info, "true or false", "", value ? "true" : "false", Presence::has_default);
   }
   void text(const OptionInfo& info, std::string& value, Presence presence) override {
     add(info, "text", "", value, presence);
+  }
+  void text(const OptionInfo& info, std::optional<std::string>&) override {
+    add(info, "text", "", "", Presence::has_default);
   }
   void vector(const OptionInfo& info, Vec3& value, Presence presence) override {
     add(info, "three numbers", info.range.text(), fmt::format("[{:g}, {:g}, {:g}]", value[0], value[1], value[2]),

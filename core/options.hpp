@@ -57,8 +57,10 @@ class OptionVisitor {
   virtual void number(const OptionInfo& info, double& value, Presence presence) = 0;
   virtual void number(const OptionInfo& info, std::optional<double>& value) = 0;
   virtual void integer(const OptionInfo& info, std::int64_t& value, Presence presence) = 0;
+  virtual void integer(const OptionInfo& info, std::optional<std::int64_t>& value) = 0;
   virtual void boolean(const OptionInfo& info, bool& value) = 0;
   virtual void text(const OptionInfo& info, std::string& value, Presence presence) = 0;
+  virtual void text(const OptionInfo& info, std::optional<std::string>& value) = 0;
   virtual void vector(const OptionInfo& info, Vec3& value, Presence presence) = 0;
   virtual void vector(const OptionInfo& info, std::optional<Vec3>& value) = 0;
   /// A number or a word that stands for one chosen by the program: nullopt.

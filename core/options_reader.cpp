@@ -186,6 +186,22 @@ struct OptionReader::Impl {
     return value;
   }
 
+  std::int64_t integer(const OptionInfo& info, const toml::node& node) const {
+    const std::string path = path_of(info.key);
+    if (!node.is_integer()) fail(path, "expected a whole number");
+    const std::int64_t value = *node.value_exact<std::int64_t>();
+    if (!info.range.contains(static_cast<double>(value))) {
+      fail(path, fmt::format("{} is out of range; it must be {}", value, info.range.text()));
+    }
+    return value;
+  }
+
+  std::string text(const OptionInfo& info, const toml::node& node) const {
+    const auto found = node.value_exact<std::string>();
+    if (!found || found->empty()) fail(path_of(info.key), "expected a text in quotes, not empty");
+    return *found;
+  }
+
   int choice(const std::string& path, const ChoiceNames& names, const toml::node& node) const {
     const auto word = node.value_exact<std::string>();
     if (!word) fail(path, "expected one of: " + joined(names));
@@ -231,14 +247,11 @@ void OptionReader::number(const OptionInfo& info, std::optional<double>& value) 
 }
 
 void OptionReader::integer(const OptionInfo& info, std::int64_t& value, Presence presence) {
-  const auto* node = impl_->find(info, presence);
-  if (!node) return;
-  const std::string path = impl_->path_of(info.key);
-  if (!node->is_integer()) impl_->fail(path, "expected a whole number");
-  value = *node->value_exact<std::int64_t>();
-  if (!info.range.contains(static_cast<double>(value))) {
-    impl_->fail(path, fmt::format("{} is out of range; it must be {}", value, info.range.text()));
-  }
+  if (const auto* node = impl_->find(info, presence)) value = impl_->integer(info, *node);
+}
+
+void OptionReader::integer(const OptionInfo& info, std::optional<std::int64_t>& value) {
+  if (const auto* node = impl_->find(info)) value = impl_->integer(info, *node);
 }
 
 void OptionReader::boolean(const OptionInfo& info, bool& value) {
@@ -249,11 +262,11 @@ void OptionReader::boolean(const OptionInfo& info, bool& value) {
 }
 
 void OptionReader::text(const OptionInfo& info, std::string& value, Presence presence) {
-  const auto* node = impl_->find(info, presence);
-  if (!node) return;
-  const auto found = node->value_exact<std::string>();
-  if (!found || found->empty()) impl_->fail(impl_->path_of(info.key), "expected a text in quotes, not empty");
-  value = *found;
+  if (const auto* node = impl_->find(info, presence)) value = impl_->text(info, *node);
+}
+
+void OptionReader::text(const OptionInfo& info, std::optional<std::string>& value) {
+  if (const auto* node = impl_->find(info)) value = impl_->text(info, *node);
 }
 
 void OptionReader::vector(const OptionInfo& info, Vec3& value, Presence presence) {

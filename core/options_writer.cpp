@@ -43,9 +43,17 @@ void OptionWriter::integer(const OptionInfo& info, std::int64_t& value, Presence
   line(info, fmt::format("{}", value));
 }
 
+void OptionWriter::integer(const OptionInfo& info, std::optional<std::int64_t>& value) {
+  if (value) line(info, fmt::format("{}", *value));
+}
+
 void OptionWriter::boolean(const OptionInfo& info, bool& value) { line(info, value ? "true" : "false"); }
 
 void OptionWriter::text(const OptionInfo& info, std::string& value, Presence) { line(info, quoted(value)); }
+
+void OptionWriter::text(const OptionInfo& info, std::optional<std::string>& value) {
+  if (value) line(info, quoted(*value));
+}
 
 void OptionWriter::vector(const OptionInfo& info, Vec3& value, Presence) { line(info, vector_text(value)); }
 

@@ -15,8 +15,10 @@ class OptionWriter : public OptionVisitor {
   void number(const OptionInfo& info, double& value, Presence presence) override;
   void number(const OptionInfo& info, std::optional<double>& value) override;
   void integer(const OptionInfo& info, std::int64_t& value, Presence presence) override;
+  void integer(const OptionInfo& info, std::optional<std::int64_t>& value) override;
   void boolean(const OptionInfo& info, bool& value) override;
   void text(const OptionInfo& info, std::string& value, Presence presence) override;
+  void text(const OptionInfo& info, std::optional<std::string>& value) override;
   void vector(const OptionInfo& info, Vec3& value, Presence presence) override;
   void vector(const OptionInfo& info, std::optional<Vec3>& value) override;
   void number_or(const OptionInfo& info, const char* word, std::optional<double>& value) override;

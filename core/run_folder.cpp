@@ -115,6 +115,7 @@ RunRecord RunReader::record() const {
     r.compiler = json.at("compiler");
     r.machine = json.at("machine");
     r.scene_hash = json.at("scene_hash");
+    r.filling_hash = json.value("filling_hash", "");  // runs before filling from a file have none
     r.seed = json.at("seed");
     r.threads = json.at("threads");
     r.reason = json.at("reason");
@@ -146,12 +147,21 @@ RunWriter::RunWriter(const fs::path& path, bool overwrite) : path_(path) { prepa
 void RunWriter::write_scene(const std::string& text) const { write_text_file(path_ / "scene.toml", text); }
 
 void RunWriter::write_record(const RunRecord& r) const {
-  const ordered_json json = {
-      {"title", r.title},       {"version", r.version},          {"git_revision", r.git_revision},
-      {"compiler", r.compiler}, {"machine", r.machine},          {"scene_hash", r.scene_hash},
-      {"seed", r.seed},         {"threads", r.threads},          {"status", to_string(r.status)},
-      {"reason", r.reason},     {"warnings", r.warnings},        {"particles", r.particles},
-      {"steps", r.steps},       {"wall_seconds", r.wall_seconds}};
+  const ordered_json json = {{"title", r.title},
+                             {"version", r.version},
+                             {"git_revision", r.git_revision},
+                             {"compiler", r.compiler},
+                             {"machine", r.machine},
+                             {"scene_hash", r.scene_hash},
+                             {"filling_hash", r.filling_hash},
+                             {"seed", r.seed},
+                             {"threads", r.threads},
+                             {"status", to_string(r.status)},
+                             {"reason", r.reason},
+                             {"warnings", r.warnings},
+                             {"particles", r.particles},
+                             {"steps", r.steps},
+                             {"wall_seconds", r.wall_seconds}};
   write_text_file(path_ / "run.json", json.dump(2) + "\n");
 }
 

@@ -24,6 +24,7 @@ struct RunRecord {
   std::string compiler;
   std::string machine;
   std::string scene_hash;
+  std::string filling_hash;  ///< of the file the particles came from; empty for growth
   std::uint64_t seed = 0;
   int threads = 1;
   RunStatus status = RunStatus::running;

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/geometry.hpp"
+#include "core/hash.hpp"
 #include "core/options_reader.hpp"
 #include "core/text.hpp"
 
@@ -84,16 +85,27 @@ void describe_material(OptionVisitor& v, MaterialSpec& m) {
 void describe_group(OptionVisitor& v, GroupSpec& g) {
   v.text({"name", "Name in legends and tables; the material's unless given"}, g.name, has_default);
   v.text({"material", "Name of a [[material]]"}, g.material, required);
-  v.integer({"count", "Number of particles", unit::none, Range::at_least(1)}, g.count, required);
-  v.number({"radius", "Radius", unit::metre, Range::positive()}, g.radius, required);
+  v.integer({"count", "Number of particles; required unless filling.kind is file, and then not given", unit::none,
+             Range::at_least(1)},
+            g.count);
+  v.number(
+      {"radius", "Radius; required unless filling.kind is file, and then not given", unit::metre, Range::positive()},
+      g.radius);
 }
 
 void describe_filling(OptionVisitor& v, FillingSpec& f) {
-  v.choice({"kind", "How the particles come in. growth: centres at random, radii grow from zero to full size"},
-           {"growth"}, f.kind, required);
-  v.number({"duration", "Time the growth takes", unit::second, Range::positive()}, f.duration, required);
-  v.vector({"region_min", "Lower corner of the region to fill; the domain's unless given", unit::metre}, f.region_min);
-  v.vector({"region_max", "Upper corner of the region to fill", unit::metre}, f.region_max);
+  v.choice({"kind",
+            "How the particles come in. growth: centres at random, radii grow from zero to full size. file: as a file "
+            "has them"},
+           {"growth", "file"}, f.kind, required);
+  v.number({"duration", "growth, required: time it takes", unit::second, Range::positive()}, f.duration);
+  v.vector({"region_min", "growth: lower corner of the region to fill; the domain's unless given", unit::metre},
+           f.region_min);
+  v.vector({"region_max", "growth: upper corner of the region to fill", unit::metre}, f.region_max);
+  v.text({"path",
+          "file, required: a CSV table, a LAMMPS data file (atom_style sphere, units si) or a packstone snapshot, told "
+          "apart by content; relative to the scene file's folder. docs/format.md has the columns"},
+         f.path);
 }
 
 void describe_boundary(OptionVisitor& v, BoundarySpec& b) {
@@ -194,6 +206,42 @@ void check_walls(const Scene& s) {
   }
 }
 
+void refuse_given(const Scene& s, const std::string& path, bool given, const std::string& why) {
+  if (given) s.fail(path, "is given beside filling.kind = " + why);
+}
+
+void check_growth_keys(const Scene& s) {
+  if (!s.filling.duration) s.fail("filling", "needs duration, the time the growth takes [s], with kind = \"growth\"");
+  refuse_given(s, "filling.path", s.filling.path.has_value(), "\"growth\"; take kind = \"file\", or leave it out");
+  for (std::size_t k = 0; k < s.particles.size(); ++k) {
+    const std::string path = fmt::format("particles[{}]", k);
+    if (!s.particles[k].count) s.fail(path, "needs count, the number of particles");
+    if (!s.particles[k].radius) s.fail(path, "needs radius [m]");
+  }
+}
+
+void check_file_keys(const Scene& s) {
+  const FillingSpec& f = s.filling;
+  if (!f.path) s.fail("filling", "needs path, the file that holds the particles, with kind = \"file\"");
+  const std::string nothing_grows = "\"file\", whose particles have their place and full size at once; leave it out";
+  refuse_given(s, "filling.duration", f.duration.has_value(), nothing_grows);
+  refuse_given(s, "filling.region_min", f.region_min.has_value(), nothing_grows);
+  refuse_given(s, "filling.region_max", f.region_max.has_value(), nothing_grows);
+  refuse_given(s, "domain.volume_factor", s.domain.volume_factor.has_value(),
+               "\"file\", whose particles have their places in a box of their own; give min and max");
+  for (std::size_t k = 0; k < s.particles.size(); ++k) {
+    const std::string path = fmt::format("particles[{}]", k);
+    const std::string file_has_it =
+        "\"file\": the file says how many particles there are and of what radius; leave it out";
+    refuse_given(s, path + ".count", s.particles[k].count.has_value(), file_has_it);
+    refuse_given(s, path + ".radius", s.particles[k].radius.has_value(), file_has_it);
+  }
+}
+
+void check_filling(const Scene& s) {
+  s.filling.kind == FillingKind::growth ? check_growth_keys(s) : check_file_keys(s);
+}
+
 void check_domain(const Scene& s) {
   const DomainSpec& d = s.domain;
   if (d.volume_factor ? (d.min || d.max || !d.aspect) : (!d.min || !d.max || d.aspect)) {
@@ -219,6 +267,31 @@ void fill_defaults(Scene& s) {
   for (auto& boundary : s.boundaries) {
     if (boundary.material.empty()) boundary.material = s.materials.front().name;
   }
+}
+
+/// From the root, so that the run folder's copy of the scene finds the file too.
+void complete_path(Scene& s, const std::filesystem::path& folder) {
+  if (!s.filling.path) return;
+  const bool overridden = s.locations.at("filling.path").starts_with("--set");
+  const std::filesystem::path base = overridden ? std::filesystem::current_path() : folder;
+  s.filling.path = (base / *s.filling.path).lexically_normal().string();
+}
+
+Scene parse_scene_in(const std::filesystem::path& folder, const std::string& text, const std::string& source_name,
+                     const std::vector<std::string>& overrides) {
+  Scene scene;
+  OptionReader reader(text, source_name, overrides, scene.locations);
+  describe(reader, scene);
+  reader.finish();
+  fill_defaults(scene);
+  complete_path(scene, folder);
+  check_names(scene);
+  check_materials(scene);
+  check_damping_kinds(scene);
+  check_filling(scene);
+  check_domain(scene);
+  check_walls(scene);
+  return scene;
 }
 
 }  // namespace
@@ -251,15 +324,10 @@ void Scene::fail(const std::string& path, const std::string& what) const {
   throw InputError((found == locations.end() ? "" : found->second + ": ") + path + ": " + what);
 }
 
-std::int64_t Scene::particle_count() const {
-  std::int64_t total = 0;
-  for (const auto& group : particles) total += group.count;
-  return total;
-}
-
 double Scene::solid_volume() const {
   double total = 0;
-  for (const auto& group : particles) total += static_cast<double>(group.count) * sphere_volume(group.radius);
+  for (const auto& g : particles)
+    total += static_cast<double>(g.count.value_or(0)) * sphere_volume(g.radius.value_or(0));
   return total;
 }
 
@@ -282,28 +350,14 @@ int Scene::material_index(const std::string& name) const {
 }
 
 Scene parse_scene(const std::string& text, const std::string& source_name, const std::vector<std::string>& overrides) {
-  Scene scene;
-  OptionReader reader(text, source_name, overrides, scene.locations);
-  describe(reader, scene);
-  reader.finish();
-  fill_defaults(scene);
-  check_names(scene);
-  check_materials(scene);
-  check_damping_kinds(scene);
-  check_domain(scene);
-  check_walls(scene);
-  return scene;
+  return parse_scene_in(std::filesystem::current_path(), text, source_name, overrides);
 }
 
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return parse_scene(read_text_file(path), path.string(), overrides);
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return parse_scene_in(folder, read_text_file(path), path.string(), overrides);
 }
 
-std::string scene_hash(const Scene& scene) {
-  constexpr std::uint64_t fnv_offset = 0xcbf29ce484222325ull, fnv_prime = 0x100000001b3ull;
-  std::uint64_t hash = fnv_offset;
-  for (unsigned char byte : to_toml(scene)) hash = (hash ^ byte) * fnv_prime;
-  return fmt::format("{:016x}", hash);
-}
+std::string scene_hash(const Scene& scene) { return content_hash(to_toml(scene)); }
 
 }  // namespace packstone

@@ -19,7 +19,7 @@ enum class NormalModel { linear, hysteretic };
 enum class TangentialModel { none, cundall_strack };
 /// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
 enum class Release { zero_overlap, zero_force };
-enum class FillingKind { growth };
+enum class FillingKind { growth, file };
 enum class BoundaryKind { plane };
 
 /// Faces of the domain through which particles may leave and come back.
@@ -64,15 +64,19 @@ struct MaterialSpec {
 struct GroupSpec {
   std::string name;  ///< shown in legends and tables; the material's name unless given
   std::string material;
-  std::int64_t count = 0;
-  double radius = 0;  ///< [m]
+  std::optional<std::int64_t> count;  ///< given with growth alone; a file holds its own particles
+  std::optional<double> radius;       ///< [m]; the same
 };
 
 struct FillingSpec {
   FillingKind kind = FillingKind::growth;
-  double duration = 0;             ///< [s]
-  std::optional<Vec3> region_min;  ///< [m]; the domain unless given
-  std::optional<Vec3> region_max;  ///< [m]
+  std::optional<double> duration;   ///< of the growth [s]
+  std::optional<Vec3> region_min;   ///< to grow in [m]; the domain unless given
+  std::optional<Vec3> region_max;   ///< [m]
+  std::optional<std::string> path;  ///< of the file, from the root
+
+  /// When all particles have their full size [s].
+  double over() const { return duration.value_or(0); }
 };
 
 struct BoundarySpec {
@@ -118,8 +122,7 @@ struct Scene {
   /// Throws InputError "FILE:LINE:COL: key: what", located at the key or the nearest table above it.
   [[noreturn]] void fail(const std::string& path, const std::string& what) const;
 
-  std::int64_t particle_count() const;
-  /// Volume of all spheres at full size [m3].
+  /// Volume of all spheres that the groups ask for, at full size [m3]; 0 when a file holds them.
   double solid_volume() const;
   /// The box, from min and max or from the particles' volume.
   Domain box() const;
@@ -132,6 +135,8 @@ void describe(OptionVisitor& visitor, Scene& scene);
 
 /// Reads, checks each key and the keys against each other.
 /// Overrides are "key=value" texts such as "dynamics.time_step=10 us" or "particles[0].count=100".
+/// A relative filling.path is seen from the scene file's folder; in an override or a scene given as text, from the
+/// current folder.
 /// Throws InputError "FILE:LINE:COL: key: what is wrong; what would be right".
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 Scene parse_scene(const std::string& text, const std::string& source_name,

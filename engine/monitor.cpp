@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "engine/time_step.hpp"
 
 namespace packstone::engine {
 
@@ -29,9 +28,17 @@ std::size_t slot_of(const Particles& particles, std::int64_t id) {
 }  // namespace
 
 std::string Monitor::step_advice() const {
-  const StepLimit limit = step_limit(scene_);
   return fmt::format("dynamics.time_step is {:.3g} us, recommended is {:.3g} us or less", dt_ * 1e6,
-                     limit.recommended * 1e6);
+                     recommended_dt_ * 1e6);
+}
+
+std::string Monitor::overlap_advice(double time) const {
+  if (scene_.filling.kind == FillingKind::file && time == 0) {
+    return fmt::format("they overlap so in {}: move them apart there, or raise monitor.overlap_limit",
+                       *scene_.filling.path);
+  }
+  return fmt::format("{}raise normal_stiffness, or the step is too large: {}",
+                     time < scene_.filling.over() ? "lengthen filling.duration, " : "", step_advice());
 }
 
 void Monitor::check_positions(const Particles& particles, double time) const {
@@ -77,17 +84,17 @@ void Monitor::check_overlap(const StepSums& sums, const Particles& particles, do
   }
   throw RunError(fmt::format(
       "t = {:.6g} s: {} and {} overlap by {:.1f} % of the smaller radius at {}, beyond monitor.overlap_limit = {:g} %; "
-      "{}raise normal_stiffness, or the step is too large: {}",
+      "{}",
       time, particle(scene_, particles, first), other, 100 * o.overlap / radius, place(row.position),
-      100 * scene_.monitor.overlap_limit, time < scene_.filling.duration ? "lengthen filling.duration, " : "",
-      step_advice()));
+      100 * scene_.monitor.overlap_limit, overlap_advice(time)));
 }
 
 void Monitor::check_energy(const EnergyAccount& account, double time) {
   if (!std::isfinite(account.error())) {
     throw RunError(fmt::format("t = {:.6g} s: the energy is not a number; {}", time, step_advice()));
   }
-  largest_input_ = std::max(largest_input_, std::abs(account.growth_work) + std::abs(account.gravity_work));
+  largest_input_ =
+      std::max(largest_input_, account.starting + std::abs(account.growth_work) + std::abs(account.gravity_work));
   const double unfed = account.mechanical() - account.input();  // dissipation can only lower it
   lowest_unfed_ = std::min(lowest_unfed_, unfed);
   if (unfed - lowest_unfed_ > scene_.monitor.energy_tolerance * largest_input_) {

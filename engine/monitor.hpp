@@ -10,23 +10,26 @@
 
 namespace packstone::engine {
 
-/// Energies of one instant and what has passed through since the start [J].
+/// Energies of one instant, what the particles came with, and what has passed through since the start [J].
 struct EnergyAccount {
   double kinetic = 0;
   double elastic = 0;
+  double starting = 0;  ///< kinetic and elastic at time 0
   double dissipated = 0;
   double growth_work = 0;
   double gravity_work = 0;
 
   double mechanical() const { return kinetic + elastic; }
-  double input() const { return growth_work + gravity_work; }
+  double input() const { return starting + growth_work + gravity_work; }
   /// What nothing accounts for; 0 in exact arithmetic with an infinitely small step.
   double error() const { return mechanical() + dissipated - input(); }
 };
 
 class Monitor {
  public:
-  Monitor(const Scene& scene, const Domain& domain, double dt) : scene_(scene), domain_(domain), dt_(dt) {}
+  /// dt: the run's time step, recommended_dt: the one that its messages advise [s].
+  Monitor(const Scene& scene, const Domain& domain, double dt, double recommended_dt)
+      : scene_(scene), domain_(domain), dt_(dt), recommended_dt_(recommended_dt) {}
 
   /// Every position is a number and inside the domain, but for open faces. Throws RunError naming the particle.
   void check_positions(const Particles& particles, double time) const;
@@ -34,7 +37,8 @@ class Monitor {
   /// Throws RunError naming the pair when a contact was beyond the overlap limit.
   void check_overlap(const StepSums& sums, const Particles& particles, double time) const;
 
-  /// Kinetic and elastic energy must not rise unless growth or gravity puts it in. Throws RunError.
+  /// Kinetic and elastic energy must not rise unless growth or gravity puts it in or the particles came with it. Throws
+  /// RunError.
   void check_energy(const EnergyAccount& account, double time);
 
   /// At the end: warns when the account does not close.
@@ -42,10 +46,12 @@ class Monitor {
 
  private:
   std::string step_advice() const;
+  std::string overlap_advice(double time) const;
 
   const Scene& scene_;
   Domain domain_;
   double dt_;
+  double recommended_dt_;
   double largest_input_ = 0;  ///< [J]
   double lowest_unfed_ = 0;   ///< least of mechanical energy less input so far [J]
 };

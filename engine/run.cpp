@@ -52,10 +52,11 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
   record.compiler = compiler();
   record.machine = machine();
   record.scene_hash = scene_hash(simulation.scene());
+  record.filling_hash = simulation.filling_hash();
   record.seed = static_cast<std::uint64_t>(scene.seed);
   record.threads = omp_get_max_threads();
   record.warnings = simulation.warnings();
-  record.particles = scene.particle_count();
+  record.particles = simulation.particle_count();
   writer.write_scene(to_toml(simulation.scene()));
   writer.write_record(record);
 

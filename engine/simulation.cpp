@@ -13,9 +13,10 @@
 #include "core/geometry.hpp"
 #include "core/version.hpp"
 #include "engine/dynamics/make_particles.hpp"
+#include "engine/filling/filling.hpp"
 #include "engine/filling/growth.hpp"
+#include "engine/filling/population.hpp"
 #include "engine/history_row.hpp"
-#include "engine/time_step.hpp"
 
 namespace packstone::engine {
 
@@ -23,21 +24,15 @@ namespace {
 
 constexpr std::int64_t progress_steps = 100;  ///< steps between two reports of progress
 
-Domain checked_domain(const Scene& scene) {
-  const Domain domain = scene.box();
-  double largest_radius = 0;
-  for (const auto& group : scene.particles) largest_radius = std::max(largest_radius, group.radius);
+void check_periodic_sides(const Scene& scene, const Domain& domain, double largest_radius) {
   const double least = NeighbourList::least_periodic_side(largest_radius);
   for (int axis = 0; axis < 3; ++axis) {
-    if (domain.periodic[axis] && domain.size()[axis] < least) {
-      scene.fail("domain",
-                 fmt::format("the periodic side along {} is {:.4g} m; particles of radius {:g} m need at least "
-                             "{:.4g} m, so that none meets another twice",
-                             axis_names[axis], domain.size()[axis], largest_radius, least));
-    }
+    if (!domain.periodic[axis] || domain.size()[axis] >= least) continue;
+    scene.fail("domain",
+               fmt::format("the periodic side along {} is {:.4g} m; particles of radius {:g} m need at least {:.4g} m, "
+                           "so that none meets another twice",
+                           axis_names[axis], domain.size()[axis], largest_radius, least));
   }
-  check_growth_volume(scene, domain);
-  return domain;
 }
 
 /// Solid volume over the domain's: the fraction where the domain repeats along up and there is no bed.
@@ -56,14 +51,20 @@ std::vector<double> flattened(const std::vector<Vec3>& rows) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene)
+Simulation::Simulation(const Scene& scene) : Simulation(scene, fill(scene, scene.box(), make_planes(scene))) {}
+
+Simulation::Simulation(const Scene& scene, const StartingState& start)
     : scene_(scene),
-      domain_(checked_domain(scene)),
+      domain_(scene.box()),
+      filling_hash_(start.source_hash),
       planes_(make_planes(scene)),
-      dt_(checked_time_step(scene, warnings_)),
-      particles_(make_particles(scene, grown_particles(scene, domain_, planes_))),
+      population_(population_of(scene, start)),
+      limit_(step_limit(scene, population_)),
+      dt_(checked_time_step(scene, limit_, warnings_)),
+      particles_(make_particles(scene, start)),
       dynamics_(make_newtonian(scene, domain_, planes_)),
-      monitor_(scene_, domain_, dt_) {
+      monitor_(scene_, domain_, dt_, limit_.recommended) {
+  check_periodic_sides(scene, domain_, largest_radius(population_));
   scene_.dynamics.time_step = dt_;
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
@@ -85,7 +86,7 @@ void Simulation::account(const StepSums& sums, double share) {
 
 StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   const double time = time_at(number);
-  StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit};
+  StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit, (getenv("LEAD")?atof(getenv("LEAD")):0.5)*dt_};
   if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
   if (dynamics_->neighbours().outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
@@ -114,7 +115,7 @@ void Simulation::run(const SimulationEvents& events) {
       recorder.contacts = {};
     }
     const StepSums sums = step(number, want_history ? &recorder : nullptr);
-    account(sums, 0.5);  // the rates of an instant count half before it and half after
+    if (number > 0) account(sums, 0.5);  // the rates of an instant count half before it and half after
     if (want_history) record(number, sums, recorder, want_snapshot, events);
     if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps_, time_at(number));
     if (stop) throw Interrupted(fmt::format("stopped at t = {:.6g} s, step {}", time_at(number), number));
@@ -126,8 +127,10 @@ void Simulation::run(const SimulationEvents& events) {
 
 void Simulation::record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
                         const SimulationEvents& events) {
+  const double kinetic = sums.kinetic_translational + sums.kinetic_rotational;
+  if (number == 0) account_.starting = kinetic + sums.elastic;
   EnergyAccount account = account_;
-  account.kinetic = sums.kinetic_translational + sums.kinetic_rotational;
+  account.kinetic = kinetic;
   account.elastic = sums.elastic;
   const double time = time_at(number);
   monitor_.check_energy(account, time);

@@ -10,7 +10,9 @@
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "engine/dynamics/step.hpp"
+#include "engine/filling/starting_state.hpp"
 #include "engine/monitor.hpp"
+#include "engine/time_step.hpp"
 
 namespace packstone::engine {
 
@@ -36,11 +38,17 @@ class Simulation {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The scene as it is run: "auto" replaced by what was chosen.
   const Scene& scene() const { return scene_; }
+  std::int64_t particle_count() const { return static_cast<std::int64_t>(particles_.size()); }
+  /// content_hash of the file the particles came from; empty for growth.
+  const std::string& filling_hash() const { return filling_hash_; }
   std::int64_t steps() const { return steps_; }
   /// How far run() has come.
   std::int64_t steps_done() const { return steps_done_; }
 
  private:
+  /// The start is needed no longer than here: the particles take over.
+  Simulation(const Scene& scene, const StartingState& start);
+
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   std::int64_t steps_in(double interval) const;
   void account(const StepSums& sums, double share);
@@ -55,8 +63,11 @@ class Simulation {
   Domain domain_;
   std::string scene_text_;
   std::string scene_hash_;
+  std::string filling_hash_;
   std::vector<Plane> planes_;
   std::vector<std::string> warnings_;
+  Population population_;
+  StepLimit limit_;
   double dt_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t steps_done_ = 0;

@@ -28,17 +28,34 @@ struct Candidate {
   std::string pair;
 };
 
-std::vector<Candidate> candidates(const Scene& s) {
+/// The lightest particle of a group that has any.
+struct Lightest {
+  const GroupSpec* group;
+  const MaterialSpec* material;
+  double mass;
+};
+
+std::vector<Lightest> lightest_particles(const Scene& s, const Population& population) {
+  std::vector<Lightest> result;
+  for (std::size_t g = 0; g < population.size(); ++g) {
+    if (population[g].count == 0) continue;
+    const MaterialSpec& material = s.materials[s.material_index(s.particles[g].material)];
+    result.push_back({&s.particles[g], &material, material.density * sphere_volume(population[g].smallest_radius)});
+  }
+  return result;
+}
+
+std::vector<Candidate> candidates(const Scene& s, const Population& population) {
   std::vector<Candidate> result;
-  const auto material = [&](const std::string& name) { return &s.materials[s.material_index(name)]; };
-  const auto mass = [&](const GroupSpec& g) { return material(g.material)->density * sphere_volume(g.radius); };
-  for (const auto& g : s.particles) {
-    for (const auto& h : s.particles) {
-      result.push_back({material(g.material), material(h.material), mass(g) * mass(h) / (mass(g) + mass(h)),
-                        g.name + " - " + h.name});
+  const std::vector<Lightest> lightest = lightest_particles(s, population);
+  for (const Lightest& g : lightest) {
+    for (const Lightest& h : lightest) {
+      result.push_back(
+          {g.material, h.material, g.mass * h.mass / (g.mass + h.mass), g.group->name + " - " + h.group->name});
     }
     for (const auto& b : s.boundaries) {
-      result.push_back({material(g.material), material(b.material), mass(g), g.name + " - " + b.name});
+      result.push_back(
+          {g.material, &s.materials[s.material_index(b.material)], g.mass, g.group->name + " - " + b.name});
     }
   }
   return result;
@@ -46,10 +63,10 @@ std::vector<Candidate> candidates(const Scene& s) {
 
 }  // namespace
 
-StepLimit step_limit(const Scene& scene) {
+StepLimit step_limit(const Scene& scene, const Population& population) {
   StepLimit tightest;
   tightest.limit = tightest.recommended = std::numeric_limits<double>::infinity();
-  for (const auto& c : candidates(scene)) {
+  for (const auto& c : candidates(scene, population)) {
     const double m = c.effective_mass;
     const double spring = in_series(c.a->normal_stiffness, c.b->normal_stiffness);
     const double tangential = rotates(scene) ? in_series(*c.a->tangential_stiffness, *c.b->tangential_stiffness) : 0.0;
@@ -70,8 +87,7 @@ StepLimit step_limit(const Scene& scene) {
   return tightest;
 }
 
-double checked_time_step(const Scene& scene, std::vector<std::string>& warnings) {
-  const StepLimit limit = step_limit(scene);
+double checked_time_step(const Scene& scene, const StepLimit& limit, std::vector<std::string>& warnings) {
   if (!scene.dynamics.time_step) return limit.recommended;
   const double dt = *scene.dynamics.time_step;
   if (dt > limit.limit) {

@@ -1,6 +1,7 @@
 // A small complete scene that tests change key by key.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace packstone::testing {
@@ -56,6 +57,19 @@ fields = ["velocity", "force"]
 inline std::string small_scene_with(const std::string& from, const std::string& to) {
   std::string text = small_scene;
   return text.replace(text.find(from), from.size(), to);
+}
+
+/// small_scene with its particles from a file: two groups of which only the materials are given, gravity from the
+/// start.
+inline std::string file_scene(const std::string& path) {
+  std::string text = small_scene;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at; (at = text.find(from)) != std::string::npos;) text.replace(at, from.size(), to);
+  };
+  replace("count = 60\nradius = \"20 mm\"\n", "");
+  replace("kind = \"growth\"\nduration = \"40 ms\"", "kind = \"file\"\npath = \"" + path + "\"");
+  replace("start = \"40 ms\"\n", "");
+  return text;
 }
 
 }  // namespace packstone::testing

@@ -299,7 +299,7 @@ class NewtonianStep final : public Dynamics {
       springs.store<L>(row, at.touching, spring);
       tangential_force = only(at.touching, friction.force);
       loads.force += tangential_force;
-      loads.torque -= Real(in.growth.scale) * first.radius * cross(at.normal, tangential_force);
+      loads.torque -= Real(in.growth.scale) * first.radius * only(at.touching, cross(at.normal, tangential_force));
       sums.sliding_loss += only(at.touching, share * friction.dissipated);
       elastic += friction.elastic;
       sliding = bits(friction.sliding);
@@ -345,13 +345,13 @@ class NewtonianStep final : public Dynamics {
       L::store(&to.y[group.slot], v.y);
       L::store(&to.z[group.slot], v.z);
     };
-    const Real dt(in.dt), half_dt(0.5 * in.dt);
+    const Real dt(in.dt);
     const Vector gravity{Real(in.gravity[0]), Real(in.gravity[1]), Real(in.gravity[2])};
     const Vector before = load(p.half_velocity);
     const Vector acceleration = fused(self.inverse_mass, loads.force, gravity);
     const Vector half = fused(dt, acceleration, before);
     const Vector position = fused(dt, half, self.position);
-    const Vector velocity = fused(half_dt, acceleration, half);
+    const Vector velocity = fused(Real(in.velocity_lead), acceleration, half);
     store(p.half_velocity, half);
     double* row = reinterpret_cast<double*>(&p.next.rows[group.slot]);
     const Real low[4] = {position.x, position.y, position.z, self.radius};
@@ -375,7 +375,7 @@ class NewtonianStep final : public Dynamics {
       angular_acceleration = L::load(&p.inverse_inertia[group.slot]) * loads.torque;
       const Vector half_turn = fused(dt, angular_acceleration, half_turn_before);
       store(p.half_angular_velocity, half_turn);
-      const Vector turn = fused(half_dt, angular_acceleration, half_turn);
+      const Vector turn = fused(Real(in.velocity_lead), angular_acceleration, half_turn);
       const Real spin[4] = {turn.x, turn.y, turn.z, Real(0.0)};
       L::template write_columns<spin_stride>(reinterpret_cast<double*>(&p.next.spins[group.slot]), spin);
     }

@@ -21,6 +21,7 @@ struct StepInput {
   Growth growth;
   Vec3 gravity = Vec3::Zero();  ///< [m/s2]; zero before it starts
   double overlap_limit = 0;     ///< share of the smaller full radius
+  double velocity_lead = 0;     ///< by which the velocity that contacts see in the next step is ahead of the half step [s]
 };
 
 /// A contact beyond the overlap limit.

@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/geometry.hpp"
 #include "core/random.hpp"
-#include "engine/dynamics/step.hpp"
 
 namespace packstone::engine {
 
@@ -38,10 +36,11 @@ Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector
 }  // namespace
 
 void check_growth_volume(const Scene& scene, const Domain& domain) {
-  const auto [smallest, largest] = std::minmax_element(
-      scene.particles.begin(), scene.particles.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  const auto [smallest, largest] =
+      std::minmax_element(scene.particles.begin(), scene.particles.end(),
+                          [](const auto& a, const auto& b) { return *a.radius < *b.radius; });
   const double limit =
-      largest->radius > gap_filling_ratio * smallest->radius ? binary_close_packing : random_close_packing;
+      *largest->radius > gap_filling_ratio * *smallest->radius ? binary_close_packing : random_close_packing;
   const double room = (region_high(scene, domain) - region_low(scene, domain)).prod();
   const double solid = scene.solid_volume();
   if (solid > limit * room) {
@@ -57,21 +56,23 @@ void check_growth_volume(const Scene& scene, const Domain& domain) {
 StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   StartingState start;
   for (std::size_t g = 0; g < scene.particles.size(); ++g) {
-    for (std::int64_t k = 0; k < scene.particles[g].count; ++k) {
-      const auto id = static_cast<std::int64_t>(start.position.size());
+    const GroupSpec& group = scene.particles[g];
+    for (std::int64_t k = 0; k < *group.count; ++k) {
+      const auto id = static_cast<std::int64_t>(start.size());
       start.position.push_back(random_position(scene, domain, planes, id));
-      start.radius.push_back(scene.particles[g].radius);
+      start.radius.push_back(*group.radius);
       start.type.push_back(static_cast<std::int32_t>(g));
     }
   }
-  start.velocity.resize(start.position.size(), Vec3::Zero());
-  start.angular_velocity.resize(start.position.size(), Vec3::Zero());
+  start.velocity.assign(start.size(), Vec3::Zero());
+  start.angular_velocity.assign(start.size(), Vec3::Zero());
   return start;
 }
 
 Growth growth_at(const Scene& scene, double time) {
-  if (time >= scene.filling.duration) return {1, 0};
-  return {time / scene.filling.duration, 1 / scene.filling.duration};
+  const double duration = scene.filling.over();
+  if (time >= duration) return {1, 0};
+  return {time / duration, 1 / duration};
 }
 
 }  // namespace packstone::engine

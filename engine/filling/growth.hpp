@@ -19,7 +19,7 @@ void check_growth_volume(const Scene& scene, const Domain& domain);
 /// Throws InputError when the planes leave no room.
 StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
 
-/// Share of full size and its rate at a time [s].
+/// Share of full size and its rate at a time [s]; full size throughout where nothing grows.
 Growth growth_at(const Scene& scene, double time);
 
 }  // namespace packstone::engine

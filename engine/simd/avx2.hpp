@@ -73,20 +73,20 @@ struct Avx2 {
   }
 
   template <int columns, std::size_t stride>
-  static void read_columns(const double* base, const std::int32_t* index, Real* column) {
+  [[gnu::always_inline]] static void read_columns(const double* base, const std::int32_t* index, Real* column) {
     const auto row = [&](int k) { return base + stride * static_cast<std::size_t>(index[k]); };
     read_half<columns>(row, 0, column);
     if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
   }
   template <int columns, std::size_t stride>
-  static void read_columns(const double* rows, Real* column) {
+  [[gnu::always_inline]] static void read_columns(const double* rows, Real* column) {
     const auto row = [&](int k) { return rows + stride * static_cast<std::size_t>(k); };
     read_half<columns>(row, 0, column);
     if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
   }
 
   template <std::size_t stride>
-  static void write_columns(double* rows, const Real* column) {
+  [[gnu::always_inline]] static void write_columns(double* rows, const Real* column) {
     __m256d row[4];
     transpose(column[0].v, column[1].v, column[2].v, column[3].v, row);
     for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows + stride * k, row[k]);

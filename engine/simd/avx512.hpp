@@ -83,20 +83,20 @@ struct Avx512 {
   }
 
   template <int columns, std::size_t stride>
-  static void read_columns(const double* base, const std::int32_t* index, Real* column) {
+  [[gnu::always_inline]] static void read_columns(const double* base, const std::int32_t* index, Real* column) {
     const auto row = [&](int k) { return base + stride * static_cast<std::size_t>(index[k]); };
     read_half<columns>(row, 0, column);
     if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
   }
   template <int columns, std::size_t stride>
-  static void read_columns(const double* rows, Real* column) {
+  [[gnu::always_inline]] static void read_columns(const double* rows, Real* column) {
     const auto row = [&](int k) { return rows + stride * static_cast<std::size_t>(k); };
     read_half<columns>(row, 0, column);
     if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
   }
 
   template <std::size_t stride>
-  static void write_columns(double* rows, const Real* column) {
+  [[gnu::always_inline]] static void write_columns(double* rows, const Real* column) {
     const __m512d xy_even = _mm512_maskz_unpacklo_pd(all, column[0].v, column[1].v);
     const __m512d xy_odd = _mm512_maskz_unpackhi_pd(all, column[0].v, column[1].v);
     const __m512d zw_even = _mm512_maskz_unpacklo_pd(all, column[2].v, column[3].v);
@@ -125,7 +125,7 @@ struct Avx512 {
   template <int columns, class RowAt>
   [[gnu::always_inline]] static void read_half(const RowAt& row, int offset, Real* column) {
     const auto two = [&](int a, int b) {
-      return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(row(a) + offset)),
+      return _mm512_maskz_insertf64x4(all, _mm512_castpd256_pd512(_mm256_loadu_pd(row(a) + offset)),
                                 _mm256_loadu_pd(row(b) + offset), 1);
     };
     const __m512d a = two(0, 2), b = two(1, 3), c = two(4, 6), d = two(5, 7);

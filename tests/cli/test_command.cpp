@@ -15,6 +15,7 @@
 using namespace packstone;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using testing::file_scene;
 using testing::packstone_command;
 using testing::small_scene;
 using testing::small_scene_with;
@@ -47,6 +48,8 @@ TEST_CASE("a wrong scene gives one line, exit code 2 and no folder") {
         place + ":4:1: dynamics.time_step: 2e+03 us");
   check(small_scene_with("count = 60", "count = 600"), "do not fit");
   check(small_scene_with("seed = 3", "seed = "), "not valid TOML");
+  std::ofstream(folder / "start.csv") << "x,y,z,radius\n0.1,0.1,0.1,-1\n";
+  check(file_scene("start.csv"), (folder / "start.csv").string() + ":2: radius: -1 m is out of range");
 }
 
 TEST_CASE("a missing scene, an unwritable output and a wrong call give one line and exit code 2") {

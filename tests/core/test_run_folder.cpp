@@ -30,6 +30,7 @@ void write_run(const std::filesystem::path& path) {
   record.status = RunStatus::failed;
   record.reason = "because";
   record.seed = 42;
+  record.filling_hash = "00ff";
   record.warnings = {"careful"};
   writer.write_record(record);
 }
@@ -45,6 +46,7 @@ TEST_CASE("a run folder comes back as it was written") {
   CHECK(run.record().status == RunStatus::failed);
   CHECK(run.record().reason == "because");
   CHECK(run.record().seed == 42);
+  CHECK(run.record().filling_hash == "00ff");
   CHECK(run.record().warnings == std::vector<std::string>{"careful"});
   CHECK(run.history().column("energy") == std::vector<double>{0, 0.2, 0.4, 0.6});
   CHECK(run.scene_text() == "title = \"x\"\n");

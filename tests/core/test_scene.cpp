@@ -5,10 +5,12 @@
 #include "core/geometry.hpp"
 #include "core/scene.hpp"
 #include "tests/sample_scene.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace packstone;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using testing::file_scene;
 using testing::small_scene;
 using testing::small_scene_with;
 
@@ -30,7 +32,7 @@ TEST_CASE("a scene is read in SI with its defaults") {
   const Scene s = parse_scene(small_scene, "s.toml");
   CHECK(s.title == "Small");
   CHECK(s.dynamics.time_step == Approx(20e-6));
-  CHECK(s.particles.at(1).radius == Approx(0.02));
+  CHECK(s.particles.at(1).radius.value() == Approx(0.02));
   CHECK(s.particles.at(1).name == "heavy");
   CHECK(s.boundaries.at(0).material == "light");
   CHECK(s.contact.tangential == TangentialModel::none);
@@ -129,6 +131,51 @@ TEST_CASE("damping of two kinds and a wall that leans to a periodic side are ref
   std::string text = small_scene_with("normal = \"hysteretic\"", "normal = \"linear\"");
   text.replace(text.find("normal_damping = 0.7"), 20, "restitution = 0.5   ");
   CHECK_THROWS_WITH(parse_scene(text, "s.toml"), Contains("material[1]") && Contains("or all give restitution"));
+}
+
+TEST_CASE("growth needs count, radius and duration, and no path") {
+  CHECK_THAT(error_after("count = 60\n", ""), StartsWith("s.toml:26:1: particles[0]: needs count"));
+  CHECK_THAT(error_after("radius = \"20 mm\"\n", ""), StartsWith("s.toml:26:1: particles[0]: needs radius"));
+  CHECK_THAT(error_after("kind = \"growth\"\nduration = \"40 ms\"", "kind = \"growth\""),
+             StartsWith("s.toml:34:2: filling: needs duration"));
+  CHECK_THAT(error_after("kind = \"growth\"", "kind = \"growth\"\npath = \"a.csv\""),
+             StartsWith("s.toml:36:1: filling.path: is given beside filling.kind = \"growth\""));
+}
+
+TEST_CASE("a file brings places and radii: what else would decide them is refused") {
+  const auto error = [](const std::vector<std::string>& set) -> std::string {
+    try {
+      parse_scene(file_scene("start.csv"), "s.toml", set);
+    } catch (const InputError& refusal) {
+      return refusal.what();
+    }
+    return "no error";
+  };
+  CHECK(error({}) == "no error");
+  CHECK_THAT(error({"particles[1].count=5"}), Contains("particles[1].count: is given beside filling.kind = \"file\""));
+  CHECK_THAT(error({"particles[0].radius=0.02"}), Contains("the file says how many particles there are"));
+  CHECK_THAT(error({"filling.duration=1"}), Contains("filling.duration: is given") && Contains("leave it out"));
+  CHECK_THAT(error({"filling.region_min=[0, 0, 0]"}), Contains("filling.region_min: is given"));
+  CHECK_THAT(error({"filling.region_max=[0.1, 0.1, 0.1]"}), Contains("filling.region_max: is given"));
+  CHECK_THAT(error({"domain.volume_factor=2", "domain.aspect=[1, 1, 2]"}), Contains("give min and max"));
+  CHECK_THAT(error({"filling.path=\"\""}), Contains("filling.path: expected a text"));
+  std::string text = file_scene("start.csv");
+  text.erase(text.find("path = \"start.csv\""), 18);
+  CHECK_THROWS_WITH(parse_scene(text, "s.toml"), Contains("filling: needs path"));
+}
+
+TEST_CASE("a relative path is seen from the scene's folder, in an override from the current one") {
+  const testing::TemporaryFolder folder;
+  write_text_file(folder / "scene.toml", file_scene("../beds/start.csv"));
+  const auto expected = (folder.path().parent_path() / "beds/start.csv").string();
+  const Scene s = read_scene(folder / "scene.toml");
+  CHECK(s.filling.path == expected);
+  CHECK(s.filling.over() == 0);
+  CHECK(parse_scene(to_toml(s), "elsewhere.toml").filling.path == expected);
+  CHECK(scene_hash(parse_scene(to_toml(s), "elsewhere.toml")) == scene_hash(s));
+  const std::string here = (std::filesystem::current_path() / "a.csv").string();
+  CHECK(read_scene(folder / "scene.toml", {"filling.path=a.csv"}).filling.path == here);
+  CHECK(parse_scene(file_scene("a.csv"), "s.toml").filling.path == here);
 }
 
 TEST_CASE("docs/scene.md is what the program says of its keys") {

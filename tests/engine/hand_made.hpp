@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene.hpp"
+#include "engine/dynamics/make_particles.hpp"
 #include "engine/dynamics/step.hpp"
 #include "tests/sample_scene.hpp"
 
@@ -18,8 +19,6 @@ struct Sphere {
   Vec3 position;
   Vec3 velocity = Vec3::Zero();
   double radius = 0.02;
-  double density = 1200;
-  std::size_t material = 0;
 };
 
 /// A scene of one material with the given contact table and further material keys, in a box of 1 m with a floor.
@@ -53,55 +52,46 @@ interval = 0.1
 
 class HandMade {
  public:
-  HandMade(const Scene& scene, const std::vector<Sphere>& spheres, double dt) : scene_(scene) {
-    const bool turning = rotates(scene);
-    particles.now.resize(spheres.size(), turning);
-    particles.next.resize(spheres.size(), turning);
-    particles.half_velocity.resize(spheres.size());
-    if (turning) particles.half_angular_velocity.resize(spheres.size());
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      const Sphere& s = spheres[i];
-      scene_.particles.front().radius = std::max(scene_.particles.front().radius, s.radius);
-      const double mass = s.density * 4.0 / 3.0 * std::numbers::pi * std::pow(s.radius, 3);
-      particles.radius.push_back(s.radius);
-      particles.inverse_mass.push_back(1 / mass);
-      particles.inverse_inertia.push_back(1 / (0.4 * mass * s.radius * s.radius));
-      particles.material.push_back(static_cast<std::uint16_t>(s.material));
-      particles.type.push_back(0);
-      particles.now.position.set(i, s.position);
-      particles.now.velocity.set(i, s.velocity);
-      particles.half_velocity.set(i, s.velocity);
+  HandMade(const Scene& scene, const std::vector<Sphere>& spheres, double dt) {
+    StartingState start;
+    for (const Sphere& s : spheres) {
+      start.position.push_back(s.position);
+      start.velocity.push_back(s.velocity);
+      start.angular_velocity.push_back(Vec3::Zero());
+      start.radius.push_back(s.radius);
+      start.type.push_back(0);
     }
+    particles = make_particles(scene, start);
     input.dt = dt;
     input.overlap_limit = 0.5;
-    dynamics = make_newtonian(scene_, scene_.box(), make_planes(scene_));
+    input.velocity_lead = 0.5 * dt;
+    dynamics = make_newtonian(scene, scene.box(), make_planes(scene));
   }
 
   StepSums step(Recorder* recorder = nullptr) {
-    if (dynamics->neighbours().builds() == 0 ||
-        dynamics->neighbours().outdated(last.largest_displacement_squared, input.growth)) {
-      dynamics->rebuild(particles, input.growth);
-    }
-    last = dynamics->advance(particles, input, recorder);
+    if (dynamics->neighbours().outdated(input.growth)) dynamics->rebuild(particles, input.growth, input.dt);
+    const StepSums sums = dynamics->advance(particles, input, recorder);
     std::swap(particles.now, particles.next);
-    return last;
+    return sums;
   }
 
-  Vec3 velocity(std::size_t i) const { return particles.half_velocity.get(i); }
-  double mass(std::size_t i) const { return 1 / particles.inverse_mass[i]; }
+  std::size_t slot(std::int32_t id) const {
+    return static_cast<std::size_t>(std::find(particles.id.begin(), particles.id.end(), id) - particles.id.begin());
+  }
+  Vec3 position(std::int32_t id) const { return particles.now.rows[slot(id)].position; }
+  Vec3 velocity(std::int32_t id) const { return particles.half_velocity.get(slot(id)); }
+  Vec3 angular_velocity(std::int32_t id) const { return particles.half_angular_velocity.get(slot(id)); }
+  double mass(std::int32_t id) const { return particles.mass[slot(id)]; }
+  double inertia(std::int32_t id) const { return 1 / particles.inverse_inertia[slot(id)]; }
   Vec3 momentum() const {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < particles.size(); ++i) sum += mass(i) * velocity(i);
+    for (std::size_t i = 0; i < particles.slots(); ++i) sum += particles.mass[i] * particles.half_velocity.get(i);
     return sum;
   }
 
   Particles particles;
   StepInput input;
-  StepSums last;
   std::unique_ptr<Dynamics> dynamics;
-
- private:
-  Scene scene_;
 };
 
 }  // namespace packstone::engine::testing

@@ -128,7 +128,7 @@ TEST_CASE("the leapfrog scheme is of second order in an undamped collision") {
     HandMade ball(scene, {{Vec3(0.5, 0.5, 0.02), Vec3(0, 0, -0.5)}}, dt);
     for (int n = 0; n < steps; ++n) ball.step();
     const double omega = std::numbers::pi / duration;
-    return std::abs(ball.particles.now.position.z[0] - (0.02 - 0.5 / omega * std::sin(omega * 0.4 * duration)));
+    return std::abs(ball.position(0).z() - (0.02 - 0.5 / omega * std::sin(omega * 0.4 * duration)));
   };
   const double order = std::log2(error(50) / error(100));
   CHECK(order == Approx(2).margin(0.1));

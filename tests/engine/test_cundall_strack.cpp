@@ -40,7 +40,7 @@ TEST_CASE("a sliding sphere slows by mu g, then rolls at five sevenths of its sp
   CHECK(ball.velocity(0).x() == Approx(v0 - mu * g * 0.5 * rolling_from).epsilon(2e-3));
   run_to(3 * rolling_from);
   CHECK(ball.velocity(0).x() == Approx(5.0 / 7.0 * v0).epsilon(2e-3));
-  CHECK(ball.particles.half_angular_velocity.y[0] * 0.02 == Approx(5.0 / 7.0 * v0).epsilon(2e-3));
+  CHECK(ball.angular_velocity(0).y() * 0.02 == Approx(5.0 / 7.0 * v0).epsilon(2e-3));
 }
 
 TEST_CASE("a sphere rolls down a slope at five sevenths of g sin(theta), slides with little friction") {
@@ -58,32 +58,36 @@ TEST_CASE("a sphere rolls down a slope at five sevenths of g sin(theta), slides 
 }
 
 TEST_CASE("swapping the bodies gives exactly the opposite force") {
-  const CundallStrack::Pair pair{1e6, 0.4};
+  using Vector = simd::Vector<double>;
+  const CundallStrack::Parameters<double> pair{1e6, 0.4};
   for (std::uint64_t trial = 0; trial < 200; ++trial) {
     Random r(1, RandomStream::filling_position, trial);
-    const auto vector = [&] { return Vec3(r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)); };
-    const Vec3 n = vector().normalized();
-    const Vec3 spring = 1e-5 * vector();
-    Vec3 velocity = vector();
-    velocity -= velocity.dot(n) * n;
-    Vec3 a = spring, b = -spring;
-    const auto there = CundallStrack::advance(pair, a, n, velocity, 20, 1e-5);
-    const auto back = CundallStrack::advance(pair, b, -n, -velocity, 20, 1e-5);
-    REQUIRE(there.force == -back.force);
-    REQUIRE(a == -b);
-    REQUIRE(there.force.norm() <= 0.4 * 20 * (1 + 1e-12));
-    REQUIRE(std::abs(there.force.dot(n)) < 1e-9);
+    const auto vector = [&] { return Vector{r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)}; };
+    const auto same = [](const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    Vector n = vector();
+    n = 1 / std::sqrt(squared_length(n)) * n;
+    const Vector spring = 1e-5 * vector();
+    Vector velocity = vector();
+    velocity -= dot(velocity, n) * n;
+    Vector a = spring, b = -spring;
+    const auto there = CundallStrack::advance(pair, a, n, velocity, 20.0, 1e-5);
+    const auto back = CundallStrack::advance(pair, b, -n, -velocity, 20.0, 1e-5);
+    REQUIRE(same(there.force, -back.force));
+    REQUIRE(same(a, -b));
+    REQUIRE(std::sqrt(squared_length(there.force)) <= 0.4 * 20 * (1 + 1e-12));
+    REQUIRE(std::abs(dot(there.force, n)) < 1e-9);
   }
 }
 
 TEST_CASE("friction turns slip into heat and no more") {
-  const CundallStrack::Pair pair{1e6, 0.5};
-  Vec3 spring = Vec3::Zero();
-  const Vec3 n(0, 0, 1), velocity(0.1, 0, 0);
+  using Vector = simd::Vector<double>;
+  const CundallStrack::Parameters<double> pair{1e6, 0.5};
+  Vector spring = Vector::zero();
+  const Vector n{0, 0, 1}, velocity{0.1, 0, 0};
   double work = 0, heat = 0, stored = 0;
   for (int k = 0; k < 1000; ++k) {
-    const auto f = CundallStrack::advance(pair, spring, n, velocity, 10, 1e-6);
-    work -= f.force.dot(velocity) * 1e-6;
+    const auto f = CundallStrack::advance(pair, spring, n, velocity, 10.0, 1e-6);
+    work -= dot(f.force, velocity) * 1e-6;
     heat += f.dissipated;
     stored = f.elastic;
   }
@@ -96,16 +100,16 @@ TEST_CASE("an oblique collision keeps momentum exactly and angular momentum to t
                 {{Vec3(0.4, 0.5, 0.5), Vec3(1, 0.3, 0)}, {Vec3(0.4405, 0.51, 0.5), Vec3(-1, 0, 0.2)}}, 1e-7);
   const auto angular = [&] {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < 2; ++i) {
-      sum += pair.mass(i) * pair.particles.now.position.get(i).cross(pair.velocity(i));
-      sum += pair.particles.half_angular_velocity.get(i) / pair.particles.inverse_inertia[i];
+    for (int i = 0; i < 2; ++i) {
+      sum += pair.mass(i) * pair.position(i).cross(pair.velocity(i));
+      sum += pair.inertia(i) * pair.angular_velocity(i);
     }
     return sum;
   };
   const Vec3 momentum = pair.momentum(), spin = angular();
   for (int n = 0; n < 20000; ++n) pair.step();
   CHECK((pair.velocity(0) - Vec3(1, 0.3, 0)).norm() > 0.5);
-  CHECK(pair.particles.half_angular_velocity.get(0).norm() > 1);
+  CHECK(pair.angular_velocity(0).norm() > 1);
   CHECK((pair.momentum() - momentum).norm() < 1e-13);
   const double orbital = pair.mass(0) * 0.04 * 2;
   CHECK((angular() - spin).norm() < 0.01 * orbital);
@@ -123,11 +127,11 @@ TEST_CASE("rebuilding the list keeps the contact's history to the bit") {
     quiet.step();
     busy.step();
   }
-  CHECK(quiet.dynamics->neighbours().builds() == 1);
+  CHECK(quiet.dynamics->neighbours().builds() < 4);
   CHECK(busy.dynamics->neighbours().builds() > 5);
-  CHECK(quiet.particles.half_angular_velocity.get(0).norm() > 0);
-  CHECK(quiet.particles.now.position.get(0) == busy.particles.now.position.get(0));
-  CHECK(quiet.particles.half_angular_velocity.get(0) == busy.particles.half_angular_velocity.get(0));
+  CHECK(quiet.angular_velocity(0).norm() > 0);
+  CHECK(quiet.position(0) == busy.position(0));
+  CHECK(quiet.angular_velocity(0) == busy.angular_velocity(0));
 }
 
 TEST_CASE("without friction nothing turns and nothing is kept") {

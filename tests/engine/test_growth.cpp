@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "engine/dynamics/make_particles.hpp"
 #include "engine/dynamics/step.hpp"
 #include "engine/filling/growth.hpp"
 #include "tests/sample_scene.hpp"
@@ -13,13 +14,14 @@ using testing::small_scene;
 TEST_CASE("particles asked for are particles delivered, at random, in the region, in front of the floor") {
   const Scene scene = parse_scene(small_scene, "s.toml", {"boundary[0].point=[0, 0, 0.1]"});
   const Domain domain = scene.box();
-  const Particles p = grown_particles(scene, domain, make_planes(scene));
+  const StartingState p = grown_particles(scene, domain, make_planes(scene));
   REQUIRE(p.size() == 120);
   CHECK(std::count(p.type.begin(), p.type.end(), 0) == 60);
-  CHECK(1 / p.inverse_mass[119] == Approx(7800 * 4.0 / 3.0 * M_PI * 8e-6));
+  CHECK(p.radius[119] == 0.02);
+  CHECK(make_particles(scene, p).mass[119] == Approx(7800 * 4.0 / 3.0 * M_PI * 8e-6));
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3 x = p.now.position.get(i);
+    const Vec3 x = p.position[i];
     CHECK(x.z() > 0.1);
     CHECK(((x - domain.min).array() >= 0).all());
     CHECK(((domain.max - x).array() >= 0).all());
@@ -33,7 +35,7 @@ TEST_CASE("particles asked for are particles delivered, at random, in the region
 TEST_CASE("the seed decides the positions, and a particle's place does not depend on the others") {
   const auto first = [](const std::vector<std::string>& set) {
     const Scene scene = parse_scene(small_scene, "s.toml", set);
-    return grown_particles(scene, scene.box(), {}).now.position.get(5);
+    return grown_particles(scene, scene.box(), {}).position[5];
   };
   CHECK(first({}) == first({}));
   CHECK(first({}) == first({"particles[1].count=3"}));

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "engine/dynamics/make_particles.hpp"
 #include "engine/monitor.hpp"
 #include "engine/simulation.hpp"
 #include "tests/sample_scene.hpp"
@@ -58,13 +59,12 @@ TEST_CASE("a particle gone for good through an open face is named") {
 
 TEST_CASE("a position or an energy that is not a number is reported") {
   const Scene scene = parse_scene(small_scene, "s.toml");
-  Monitor monitor(scene, scene.box(), 1e-5);
-  Particles p;
-  p.now.resize(2, false);
-  p.radius = {0.02, 0.02};
-  p.type = {0, 1};
-  p.now.position.set(0, Vec3(0.1, 0.1, 0.1));
-  p.now.position.set(1, Vec3(0.1, std::nan(""), 0.1));
+  Monitor monitor(scene, scene.box(), 1e-5, 1e-5);
+  const Particles p = make_particles(scene, {{Vec3(0.1, 0.1, 0.1), Vec3(0.1, std::nan(""), 0.1)},
+                                             {Vec3::Zero(), Vec3::Zero()},
+                                             {Vec3::Zero(), Vec3::Zero()},
+                                             {0.02, 0.02},
+                                             {0, 1}});
   CHECK_THROWS_WITH(monitor.check_positions(p, 0.5), Contains("t = 0.5 s") && Contains("particle 1 (heavy)"));
   EnergyAccount account;
   account.kinetic = std::nan("");

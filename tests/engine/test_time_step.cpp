@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "engine/filling/growth.hpp"
 #include "engine/time_step.hpp"
 #include "tests/sample_scene.hpp"
 
@@ -19,10 +20,18 @@ Scene scene_with_step(const std::string& step) {
   return parse_scene(testing::small_scene, "s.toml", {"dynamics.time_step=" + step});
 }
 
+StepLimit limit_of(const Scene& scene) {
+  return step_limit(scene, population_of(scene, grown_particles(scene, scene.box(), {})));
+}
+
+double checked_step(const Scene& scene, std::vector<std::string>& warnings) {
+  return checked_time_step(scene, limit_of(scene), warnings);
+}
+
 }  // namespace
 
 TEST_CASE("the limit is 2/omega of the stiffest contact of the lightest pair") {
-  const StepLimit limit = step_limit(scene_with_step("1 us"));
+  const StepLimit limit = limit_of(scene_with_step("1 us"));
   // Hysteretic loading is on k (1 + g).
   CHECK(limit.limit == Approx(2 * std::sqrt(0.5 * light_mass / (1e6 * 1.7))));
   CHECK(limit.contact_time == Approx(std::numbers::pi * std::sqrt(0.5 * light_mass / 1e6)));
@@ -32,20 +41,20 @@ TEST_CASE("the limit is 2/omega of the stiffest contact of the lightest pair") {
 
 TEST_CASE("a step beyond the limit is refused, one beyond the recommended one warned of, a good one passes") {
   std::vector<std::string> warnings;
-  CHECK_THROWS_WITH(checked_time_step(scene_with_step("400 us"), warnings),
+  CHECK_THROWS_WITH(checked_step(scene_with_step("400 us"), warnings),
                     Contains("dynamics.time_step") && Contains("(2/omega)") && Contains("light - light"));
   CHECK(warnings.empty());
-  CHECK(checked_time_step(scene_with_step("100 us"), warnings) == Approx(1e-4));
+  CHECK(checked_step(scene_with_step("100 us"), warnings) == Approx(1e-4));
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Contains("34.1 us or less is recommended"));
   warnings.clear();
-  CHECK(checked_time_step(scene_with_step("30 us"), warnings) == Approx(3e-5));
+  CHECK(checked_step(scene_with_step("30 us"), warnings) == Approx(3e-5));
   CHECK(warnings.empty());
 }
 
 TEST_CASE("a stiff tangential spring and a strong dashpot lower the limit") {
   const auto limit_with = [](const std::vector<std::string>& set) {
-    return step_limit(parse_scene(testing::small_scene, "s.toml", set));
+    return limit_of(parse_scene(testing::small_scene, "s.toml", set));
   };
   const std::vector<std::string> friction = {
       "contact.tangential=cundall-strack", "material[0].tangential_stiffness=1e6",
@@ -60,5 +69,5 @@ TEST_CASE("a stiff tangential spring and a strong dashpot lower the limit") {
 TEST_CASE("auto takes the recommended step") {
   std::vector<std::string> warnings;
   const Scene scene = scene_with_step("auto");
-  CHECK(checked_time_step(scene, warnings) == step_limit(scene).recommended);
+  CHECK(checked_step(scene, warnings) == limit_of(scene).recommended);
 }
