@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""The same beds through packstone, LAMMPS and LIGGGHTS, side by side. See ../README.md."""
+from __future__ import annotations
+
+import argparse
+import pathlib
+import platform
+import subprocess
+
+import tables
+from beds import bed_of
+from cases import CASES, HERE, PROGRAMS, TUNED, Tuning
+from programs import Job, Measured, packstone_command, run
+from tuning import source, tuned
+
+REPOSITORY = HERE.parents[2]
+TUNING_SHARE = 3  # a tuning run takes this part of the steps
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), help="which beds")
+    parser.add_argument("--programs", nargs="+", choices=PROGRAMS, default=list(PROGRAMS), help="which programs")
+    parser.add_argument("--cores", nargs="+", type=int, default=[2], help="processes, or threads of packstone")
+    parser.add_argument("--rounds", type=int, default=5, help="rounds; in each, every program runs once")
+    parser.add_argument("--steps", type=int, help="timed steps instead of each case's own")
+    parser.add_argument("--warm-up", type=int, default=300, help="steps before those that are timed")
+    parser.add_argument("--scale", type=float, default=1.0, help="size of the beds, 1 for a whole one")
+    parser.add_argument("--tune", action="store_true", help="look for each program's best settings first")
+    parser.add_argument("--remake-beds", action="store_true", help="settle the beds anew")
+    parser.add_argument("--folder", type=pathlib.Path, default=REPOSITORY / "build" / "bench", help="for all files")
+    return parser.parse_args()
+
+
+def machine() -> dict[str, str]:
+    """What the numbers belong to."""
+    cpu = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "")
+    versions = subprocess.run(["dpkg-query", "-W", "lammps", "liggghts"], capture_output=True, text=True).stdout
+    revision = subprocess.run(["git", "-C", REPOSITORY, "describe", "--always", "--dirty"], capture_output=True,
+                              text=True).stdout.strip()  # fmt: skip
+    return {"processor": cpu, "system": platform.platform(), "packstone": revision,
+            **dict(line.split("\t") for line in versions.splitlines())}  # fmt: skip
+
+
+def in_rounds(job: Job, programs: list[str], tunings: dict[str, Tuning | None], rounds: int) -> dict[str, list[Measured]]:
+    """Every program once a round, each round beginning with the next one, so that a slow minute meets all of them."""
+    runs: dict[str, list[Measured]] = {program: [] for program in programs}
+    for number in range(rounds):
+        shift = number % len(programs)
+        for program in programs[shift:] + programs[:shift]:
+            measured = run(program, job, tunings[program])
+            runs[program].append(measured)
+            print(f"  {job.case.name}, {job.cores} cores, round {number + 1}: {program:9} "
+                  f"{1e-6 * measured.rate:8.2f} million particle-steps a second", flush=True)  # fmt: skip
+    return runs
+
+
+def main() -> None:
+    args = arguments()
+    folder = args.folder.resolve()
+    rows: list[tables.Row] = []
+    for name in args.cases:
+        case = CASES[name]
+        bed = bed_of(case, packstone_command(), folder / "beds", max(args.cores), args.scale, args.remake_beds)
+        steps = args.steps or case.steps
+        for cores in args.cores:
+            job = Job(case, bed, steps, args.warm_up, cores, folder / "work")
+            tunings: dict[str, Tuning | None] = {p: TUNED.get((name, p)) for p in args.programs}
+            for program, start in tunings.items():
+                if args.tune and start is not None:
+                    print(f"tuning {program} for {name} on {cores} cores", flush=True)
+                    short = Job(case, bed, max(1, steps // TUNING_SHARE), args.warm_up, cores, folder / "work")
+                    tunings[program] = tuned(program, short, start)
+            runs = in_rounds(job, args.programs, tunings, args.rounds)
+            settings = {p: source(t) if t else "" for p, t in tunings.items()}
+            rows += tables.rows_of(name, cores, bed.particles, steps, runs, settings)
+    notes = tables.disagreements(rows)
+    tables.write(rows, notes, machine(), folder)
+    print(f"\n{tables.markdown(rows)}\n")
+    for note in notes:
+        print(f"{note}\n")
+    print(f"also in {folder}/results.md, .csv and .json")
+
+
+if __name__ == "__main__":
+    main()
