@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import pathlib
 import platform
 import subprocess
 
 import tables
 from beds import bed_of
-from cases import CASES, HERE, PROGRAMS, TUNED, Tuning
+from cases import CASES, HERE, PROGRAMS, TUNED, Physics, Tuning
 from programs import Job, Measured, packstone_command, run
 from tuning import source, tuned
 
@@ -24,6 +25,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--cores", nargs="+", type=int, default=[2], help="processes, or threads of packstone")
     parser.add_argument("--rounds", type=int, default=5, help="rounds; in each, every program runs once")
     parser.add_argument("--steps", type=int, help="timed steps instead of each case's own")
+    parser.add_argument("--time-step", type=float, help="[s] instead of each case's own")
     parser.add_argument("--warm-up", type=int, default=300, help="steps before those that are timed")
     parser.add_argument("--scale", type=float, default=1.0, help="size of the beds, 1 for a whole one")
     parser.add_argument("--tune", action="store_true", help="look for each program's best settings first")
@@ -62,18 +64,21 @@ def main() -> None:
     for name in args.cases:
         case = CASES[name]
         bed = bed_of(case, packstone_command(), folder / "beds", max(args.cores), args.scale, args.remake_beds)
+        physics = Physics.of(case.scene)
+        if args.time_step is not None:
+            physics = dataclasses.replace(physics, time_step=args.time_step)
         steps = args.steps or case.steps
         for cores in args.cores:
-            job = Job(case, bed, steps, args.warm_up, cores, folder / "work")
+            job = Job(case, bed, physics, steps, args.warm_up, cores, folder / "work")
             tunings: dict[str, Tuning | None] = {p: TUNED.get((name, p)) for p in args.programs}
             for program, start in tunings.items():
                 if args.tune and start is not None:
                     print(f"tuning {program} for {name} on {cores} cores", flush=True)
-                    short = Job(case, bed, max(1, steps // TUNING_SHARE), args.warm_up, cores, folder / "work")
+                    short = dataclasses.replace(job, steps=max(1, steps // TUNING_SHARE))
                     tunings[program] = tuned(program, short, start)
             runs = in_rounds(job, args.programs, tunings, args.rounds)
             settings = {p: source(t) if t else "" for p, t in tunings.items()}
-            rows += tables.rows_of(name, cores, bed.particles, steps, runs, settings)
+            rows += tables.rows_of(job, runs, settings)
     notes = tables.disagreements(rows)
     tables.write(rows, notes, machine(), folder)
     print(f"\n{tables.markdown(rows)}\n")

@@ -32,6 +32,7 @@ class Job:
 
     case: Case
     bed: Bed
+    physics: Physics
     steps: int
     warm_up: int
     cores: int
@@ -78,10 +79,10 @@ def launched(program: str, command: list, job: Job, prefix: list, environment: d
 def packstone(program: str, job: Job, _: Tuning | None) -> Measured:
     """Times packstone: the steps of the warm-up are in its time, it has no way to leave them out."""
     steps = job.steps + job.warm_up
-    physics = Physics.of(job.case)
-    duration = steps * physics.time_step
+    duration = steps * job.physics.time_step
     box = ", ".join(f"{length:.17g}" for length in job.bed.box)
     overrides = {
+        "dynamics.time_step": f"{job.physics.time_step:.17g}",
         "dynamics.duration": f"{duration:.17g}",
         "domain.max": f"[{box}]",
         "filling.path": f'"{job.bed.data}"',
@@ -132,7 +133,7 @@ def peer(program: str, job: Job, tuning: Tuning | None) -> Measured:
 
 def variables_of(program: str, job: Job, tuning: Tuning) -> dict[str, str]:
     """What the decks call ${...}; a text with spaces is one variable."""
-    p = Physics.of(job.case)
+    p = job.physics
     sizes = len(job.bed.radii)
     common = {
         "skin": f"{tuning.skin:g}",

@@ -7,9 +7,10 @@ import json
 import pathlib
 import statistics
 
-from programs import Measured
+from cases import CASES
+from programs import Job, Measured
 
-Z_TOLERANCE = 0.05  # share by which contacts a particle may differ from packstone's, or from the median without it
+TOLERANCE = 0.05  # share by which the programs may differ in what a case says must agree
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,6 +22,7 @@ class Row:
     cores: int
     particles: int
     steps: int
+    time_step: float  # [s]
     rate: float  # particle-steps a second
     rate_lowest: float
     rate_highest: float
@@ -34,17 +36,17 @@ class Row:
     settings: str
 
 
-def rows_of(case: str, cores: int, particles: int, steps: int, runs: dict[str, list[Measured]],
-            settings: dict[str, str]) -> list[Row]:
+def rows_of(job: Job, runs: dict[str, list[Measured]], settings: dict[str, str]) -> list[Row]:
     """A row for each program of a case."""
     middle = {program: statistics.median(m.rate for m in rounds) for program, rounds in runs.items()}
     return [
         Row(
-            case=case,
+            case=job.case.name,
             program=program,
-            cores=cores,
-            particles=particles,
-            steps=steps,
+            cores=job.cores,
+            particles=job.bed.particles,
+            steps=job.steps,
+            time_step=job.physics.time_step,
             rate=middle[program],
             rate_lowest=min(m.rate for m in rounds),
             rate_highest=max(m.rate for m in rounds),
@@ -58,17 +60,15 @@ def rows_of(case: str, cores: int, particles: int, steps: int, runs: dict[str, l
             settings=settings[program],
         )
         for program, rounds in runs.items()
-    ]  # fmt: skip
+    ]
 
 
-HEAD = (
-    "| case | program | cores | million particle-steps a second: median (range) | packstone is | memory, MB | z "
-    "| kinetic energy, J | packing fraction | list builds |\n|---|---|---|---|---|---|---|---|---|---|"
-)
+COLUMNS = ("case", "program", "cores", "million particle-steps a second: median (range)", "packstone is", "memory, MB",
+           "z", "kinetic energy, J", "packing fraction", "list builds")  # fmt: skip
 
 
 def markdown(rows: list[Row]) -> str:
-    lines = [HEAD]
+    lines = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
     for r in rows:
         ratio = "" if r.packstone_ratio is None or r.program == "packstone" else f"{r.packstone_ratio:.2f} x"
         builds = "" if r.list_builds is None else r.list_builds
@@ -83,15 +83,15 @@ def markdown(rows: list[Row]) -> str:
 def disagreements(rows: list[Row]) -> list[str]:
     """A note for each case whose programs do not end in the same bed: a wrong bed looks faster."""
     notes = []
-    for case in dict.fromkeys((r.case, r.cores) for r in rows):
-        group = [r for r in rows if (r.case, r.cores) == case]
-        middle = statistics.median(r.z for r in group)
-        reference = next((r.z for r in group if r.program == "packstone"), middle)
-        away = [r for r in group if abs(r.z - reference) > Z_TOLERANCE * reference]
-        if away:
-            found = ", ".join(f"{r.program} {r.z:.2f}" for r in group)
-            notes.append(f"**NOT THE SAME BED in {case[0]}**: contacts a particle differ by more than "
-                         f"{100 * Z_TOLERANCE:.0f} %: {found}. The rates of this case do not compare.")  # fmt: skip
+    for name, cores in dict.fromkeys((r.case, r.cores) for r in rows):
+        quantity = CASES[name].same
+        values = {r.program: getattr(r, quantity) for r in rows if (r.case, r.cores) == (name, cores)}
+        if max(values.values()) - min(values.values()) > TOLERANCE * max(values.values()):
+            found = ", ".join(f"{program} {value:.3g}" for program, value in values.items())
+            notes.append(
+                f"**NOT THE SAME BED in {name} on {cores} cores**: {quantity} differs by more than "
+                f"{100 * TOLERANCE:.0f} %: {found}. The rates of this case do not compare."
+            )
     return notes
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 import dataclasses
 import typing
 
-from cases import CANDIDATES, Physics, Tuning
+from cases import CANDIDATES, Tuning
 from programs import Job, run
 
 
@@ -29,7 +29,7 @@ def applies(kind: str, job: Job) -> bool:
     if kind == "bins":
         return len(job.bed.radii) > 1
     if kind == "tangential":
-        return Physics.of(job.case).friction == 0
+        return job.physics.friction == 0
     return True
 
 
