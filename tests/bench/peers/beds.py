@@ -93,7 +93,7 @@ def write_bed(snapshot: pathlib.Path, stem: pathlib.Path) -> Bed:
 
 
 def packing_fraction(height: np.ndarray, radius: np.ndarray, area: float) -> float:
-    """Bulk packing fraction V(0.1 h, 0.8 h) / (0.7 h A) with exact sphere slabs, h = V / (f A), as in docs/format.md."""
+    """Of the bulk, V(0.1 h, 0.8 h) / (0.7 h A) with exact sphere slabs and h = V / (f A), as in docs/format.md."""
     volume = float(np.sum(4 / 3 * np.pi * radius**3))
 
     def solid_below(z: float) -> float:

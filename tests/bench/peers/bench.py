@@ -7,11 +7,12 @@ import dataclasses
 import pathlib
 import platform
 import subprocess
+import sys
 
 import tables
 from beds import bed_of
 from cases import CASES, HERE, PROGRAMS, TUNED, Physics, Tuning
-from programs import Job, Measured, packstone_command, run
+from programs import Failed, Job, Measured, packstone_command, run
 from tuning import source, tuned
 
 REPOSITORY = HERE.parents[2]
@@ -44,23 +45,33 @@ def machine() -> dict[str, str]:
             **dict(line.split("\t") for line in versions.splitlines())}  # fmt: skip
 
 
-def in_rounds(job: Job, programs: list[str], tunings: dict[str, Tuning | None], rounds: int) -> dict[str, list[Measured]]:
-    """Every program once a round, each round beginning with the next one, so that a slow minute meets all of them."""
-    runs: dict[str, list[Measured]] = {program: [] for program in programs}
+def in_rounds(job: Job, tunings: dict[str, Tuning | None], rounds: int) -> tuple[dict[str, list[Measured]], list[str]]:
+    """Every program once a round, each round beginning with the next one, so that a slow minute meets all of them.
+
+    A program that fails is left out from then on. Returns the runs of those that did not, and a note for each failure.
+    """
+    runs: dict[str, list[Measured]] = {program: [] for program in tunings}
+    notes = []
     for number in range(rounds):
-        shift = number % len(programs)
+        programs = list(runs)
+        shift = number % max(1, len(programs))
         for program in programs[shift:] + programs[:shift]:
-            measured = run(program, job, tunings[program])
-            runs[program].append(measured)
-            print(f"  {job.case.name}, {job.cores} cores, round {number + 1}: {program:9} "
-                  f"{1e-6 * measured.rate:8.2f} million particle-steps a second", flush=True)  # fmt: skip
-    return runs
+            begin = f"  {job.case.name}, {job.cores} cores, round {number + 1}: {program:9}"
+            try:
+                runs[program].append(run(program, job, tunings[program]))
+                print(f"{begin} {1e-6 * runs[program][-1].rate:8.2f} million particle-steps a second", flush=True)
+            except Failed as failure:
+                del runs[program]
+                print(f"{begin} failed, {failure}", flush=True)
+                notes.append(f"**{program} FAILED in {job.case.name} on {job.cores} cores**: {failure}")
+    return runs, notes
 
 
-def main() -> None:
+def main() -> int:
     args = arguments()
     folder = args.folder.resolve()
     rows: list[tables.Row] = []
+    failures: list[str] = []
     for name in args.cases:
         case = CASES[name]
         bed = bed_of(case, packstone_command(), folder / "beds", max(args.cores), args.scale, args.remake_beds)
@@ -76,16 +87,18 @@ def main() -> None:
                     print(f"tuning {program} for {name} on {cores} cores", flush=True)
                     short = dataclasses.replace(job, steps=max(1, steps // TUNING_SHARE))
                     tunings[program] = tuned(program, short, start)
-            runs = in_rounds(job, args.programs, tunings, args.rounds)
+            runs, failed = in_rounds(job, tunings, args.rounds)
+            failures += failed
             settings = {p: source(t) if t else "" for p, t in tunings.items()}
             rows += tables.rows_of(job, runs, settings)
-    notes = tables.disagreements(rows)
+    notes = failures + tables.disagreements(rows)
     tables.write(rows, notes, machine(), folder)
     print(f"\n{tables.markdown(rows)}\n")
     for note in notes:
         print(f"{note}\n")
     print(f"also in {folder}/results.md, .csv and .json")
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

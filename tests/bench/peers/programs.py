@@ -26,6 +26,10 @@ MPI_ENVIRONMENT = {
 }
 
 
+class Failed(Exception):
+    """A program did not do what it was asked to; says what it printed last."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Job:
     """One bed, how long, on how many cores, and where its files go."""
@@ -53,7 +57,7 @@ class Measured:
 
 
 def run(program: str, job: Job, tuning: Tuning | None) -> Measured:
-    """Runs a job; stops the benchmark with the end of the program's output if it fails."""
+    """Runs a job; raises Failed."""
     job.folder.mkdir(parents=True, exist_ok=True)
     for old in job.folder.glob("memory.*"):
         old.unlink()
@@ -69,7 +73,7 @@ def launched(program: str, command: list, job: Job, prefix: list, environment: d
                               stdin=subprocess.DEVNULL, env={**os.environ, **environment})  # fmt: skip
     if done.returncode != 0:
         tail = "\n".join((job.folder / "output.txt").read_text().splitlines()[-15:])
-        raise SystemExit(f"bench: {program} failed in {job.case.name} with exit code {done.returncode}:\n{tail}")
+        raise Failed(f"exit code {done.returncode}:\n{tail}")
     return 1024 * sum(int(file.read_text()) for file in job.folder.glob("memory.*"))
 
 
@@ -194,10 +198,10 @@ def read_output(text: str, job: Job, memory: int, fraction: float) -> Measured:
     builds = BUILDS.findall(text)
     state = STATE.search(text)
     if len(loops) != 3 or state is None:
-        raise SystemExit(f"bench: {job.folder / 'output.txt'} does not end as it should")
+        raise Failed(f"{job.folder / 'output.txt'} does not end as it should")
     seconds, steps, atoms = float(loops[1][0]), int(loops[1][1]), int(loops[1][2])
     if steps != job.steps or atoms != job.bed.particles:
-        raise SystemExit(f"bench: {job.case.name}: {atoms} particles after {steps} steps, not {job.bed.particles}")
+        raise Failed(f"{atoms} particles after {steps} steps, not {job.bed.particles}")
     return Measured(
         seconds=seconds,
         rate=atoms * steps / seconds,

@@ -102,6 +102,6 @@ def write(rows: list[Row], notes: list[str], machine: dict, folder: pathlib.Path
     records = [dataclasses.asdict(r) for r in rows]
     (folder / "results.json").write_text(json.dumps({"machine": machine, "rows": records, "notes": notes}, indent=2))
     with open(folder / "results.csv", "w", newline="") as out:
-        table = csv.DictWriter(out, records[0].keys(), lineterminator="\n")
+        table = csv.DictWriter(out, [f.name for f in dataclasses.fields(Row)], lineterminator="\n")
         table.writeheader()
         table.writerows(records)

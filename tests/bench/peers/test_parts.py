@@ -10,7 +10,7 @@ import numpy as np
 import tables
 from beds import Bed, packing_fraction
 from cases import CASES, TUNED, Physics
-from programs import Job, Measured, lammps_variables, liggghts_variables, read_output
+from programs import Failed, Job, Measured, lammps_variables, liggghts_variables, read_output
 
 BED = Bed(pathlib.Path("b"), pathlib.Path("l"), 2, (1, 1, 1), (0.005, 0.05))
 OUTPUT = """Loop time of 1.5 on 2 procs for 300 steps with 2 atoms
@@ -36,8 +36,8 @@ class Parts(unittest.TestCase):
         m = read_output(OUTPUT, job(), memory=5, fraction=0.6)
         self.assertEqual((m.seconds, m.rate, m.z, m.kinetic, m.list_builds), (2.0, 1000.0, 5.4, 0.25, 7))
 
-    def test_lost_particles_stop_the_benchmark(self):
-        with self.assertRaises(SystemExit):
+    def test_lost_particles_fail(self):
+        with self.assertRaises(Failed):
             read_output(OUTPUT.replace("1000 steps with 2 atoms", "1000 steps with 1 atoms"), job(), 5, 0.6)
 
     def test_gamma_gives_the_restitution(self):

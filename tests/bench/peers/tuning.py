@@ -5,7 +5,7 @@ import dataclasses
 import typing
 
 from cases import CANDIDATES, Tuning
-from programs import Job, run
+from programs import Failed, Job, run
 
 
 TRIES = 2  # of each value, the faster counts: noise only slows
@@ -19,7 +19,10 @@ def tuned(program: str, job: Job, start: Tuning) -> Tuning:
             continue
         rates = dict.fromkeys(values, 0.0)
         for value in TRIES * values:
-            rates[value] = max(rates[value], run(program, job, dataclasses.replace(best, **{kind: value})).rate)
+            try:
+                rates[value] = max(rates[value], run(program, job, dataclasses.replace(best, **{kind: value})).rate)
+            except Failed:
+                pass  # stays at 0 and is not chosen
         best = dataclasses.replace(best, **{kind: max(rates, key=rates.__getitem__)})
         listing = ", ".join(f"{value}: {1e-6 * rate:.2f}" for value, rate in rates.items())
         print(f"  {kind}: {listing} million particle-steps a second", flush=True)
