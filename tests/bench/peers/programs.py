@@ -72,8 +72,9 @@ def launched(program: str, command: list, job: Job, prefix: list, environment: d
         done = subprocess.run([*map(str, prefix + launch + command)], stdout=output, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, env={**os.environ, **environment})  # fmt: skip
     if done.returncode != 0:
-        tail = "\n".join((job.folder / "output.txt").read_text().splitlines()[-15:])
-        raise Failed(f"exit code {done.returncode}:\n{tail}")
+        lines = (job.folder / "output.txt").read_text().splitlines()
+        told = [line for line in lines if "error" in line.lower()] or lines[-10:]
+        raise Failed("\n".join([f"exit code {done.returncode}", *told]))
     return 1024 * sum(int(file.read_text()) for file in job.folder.glob("memory.*"))
 
 
