@@ -12,6 +12,7 @@ import numpy as np
 
 from cases import HERE, Case
 
+STAMP = "stamp.txt"
 ABOVE = 0.1  # share of the bed's height that the box leaves free above it
 
 
@@ -26,16 +27,22 @@ class Bed:
     radii: tuple[float, ...]  # of each type, type 1 first [m]
 
 
-def bed_of(case: Case, packstone: pathlib.Path, folder: pathlib.Path, threads: int, scale: float, remake: bool) -> Bed:
+def bed_of(case: Case, packstone: pathlib.Path, folder: pathlib.Path, threads: int, scale: float) -> Bed:
     """The bed of a case from the folder, made if it is not there or its scene has changed since."""
     scene = HERE / "scenes" / case.settle
     run = folder / f"{scene.stem}_{scale:g}"
-    stamp = run / "stamp.txt"  # written last: the run is whole
+    stamp = run / STAMP  # written last: the run is whole
     key = hashlib.sha256(scene.read_bytes()).hexdigest()
-    if remake or not stamp.exists() or stamp.read_text() != key:
+    if not stamp.exists() or stamp.read_text() != key:
         settle(scene, packstone, run, threads, scale)
         stamp.write_text(key)
     return write_bed(snapshot_at(run, case.bed_time), run / case.name)
+
+
+def forget(folder: pathlib.Path) -> None:
+    """Makes every bed of the folder count as not there."""
+    for stamp in folder.glob(f"*/{STAMP}"):
+        stamp.unlink()
 
 
 def settle(scene: pathlib.Path, packstone: pathlib.Path, run: pathlib.Path, threads: int, scale: float) -> None:

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 import tables
-from beds import bed_of
+from beds import bed_of, forget
 from cases import CASES, HERE, PROGRAMS, TUNED, Physics, Tuning
 from programs import Failed, Job, Measured, packstone_command, run
 from tuning import source, tuned
@@ -70,11 +70,13 @@ def in_rounds(job: Job, tunings: dict[str, Tuning | None], rounds: int) -> tuple
 def main() -> int:
     args = arguments()
     folder = args.folder.resolve()
+    if args.remake_beds:
+        forget(folder / "beds")
     rows: list[tables.Row] = []
     failures: list[str] = []
     for name in args.cases:
         case = CASES[name]
-        bed = bed_of(case, packstone_command(), folder / "beds", max(args.cores), args.scale, args.remake_beds)
+        bed = bed_of(case, packstone_command(), folder / "beds", max(args.cores), args.scale)
         physics = Physics.of(case.scene)
         if args.time_step is not None:
             physics = dataclasses.replace(physics, time_step=args.time_step)
