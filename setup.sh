@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
-# Installs what packstone needs on Debian 12, builds it, and runs the demo, the tests or nothing more.
+# Installs what packstone needs on Debian 12, builds it, and runs the demo, the tests, the benchmark or nothing more.
 # Safe to repeat: what is there already is kept.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-usage="usage: ./setup.sh [build|demo|test]
+usage="usage: ./setup.sh [build|demo|test|bench [OPTION...]]
   build  install the packages and build build/packstone (the default)
   demo   build, then run sample 01 from the scene to the report
-  test   build, then run all tests"
+  test   build, then run all tests
+  bench  install LAMMPS and LIGGGHTS too, then run the same beds through all three;
+         \`./setup.sh bench --help\` has the options, tests/bench/README.md the rest"
 
 build_packages=(g++ make cmake ninja-build git ca-certificates)
 library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
                   libvtk9-dev libosmesa6-dev)
 program_packages=(ffmpeg fonts-dejavu-core)
 test_packages=(catch2 python3-h5py)
+bench_packages=(lammps liggghts openmpi-bin libbenchmark-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -51,10 +54,18 @@ run_tests() {
   (cd build && ctest --output-on-failure --parallel 2)
 }
 
+run_benchmark() {
+  build OFF
+  install_packages "${bench_packages[@]}"
+  say "running the benchmark beside LAMMPS and LIGGGHTS"
+  tests/bench/peers/bench.py "$@"
+}
+
 case "${1:-build}" in
   build) build OFF ;;
   demo) demo ;;
   test) run_tests ;;
+  bench) run_benchmark "${@:2}" ;;
   -h|--help) echo "$usage" ;;
   *) echo "$usage" >&2; exit 2 ;;
 esac
