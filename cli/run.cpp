@@ -50,7 +50,7 @@ void run(const RunOptions& options) {
   if (options.quiet) return;
   fmt::print("{} particles, {} steps in {:.1f} s ({:.1f} million particle-steps a second)\n{}\n", record.particles,
              record.steps, record.wall_seconds,
-             1e-6 * static_cast<double>(record.particles * record.steps) / record.wall_seconds, folder.string());
+             1e-6 * static_cast<double>(record.particles * record.steps) / record.loop_seconds, folder.string());
 }
 
 }  // namespace

@@ -121,6 +121,8 @@ RunRecord RunReader::record() const {
     r.reason = json.at("reason");
     r.warnings = json.at("warnings").get<std::vector<std::string>>();
     r.wall_seconds = json.at("wall_seconds");
+    r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have neither
+    r.list_builds = json.value("list_builds", std::int64_t{0});
     r.steps = json.at("steps");
     r.particles = json.at("particles");
     const std::string status = json.at("status");
@@ -161,7 +163,9 @@ void RunWriter::write_record(const RunRecord& r) const {
                              {"warnings", r.warnings},
                              {"particles", r.particles},
                              {"steps", r.steps},
-                             {"wall_seconds", r.wall_seconds}};
+                             {"wall_seconds", r.wall_seconds},
+                             {"loop_seconds", r.loop_seconds},
+                             {"list_builds", r.list_builds}};
   write_text_file(path_ / "run.json", json.dump(2) + "\n");
 }
 

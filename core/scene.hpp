@@ -25,9 +25,14 @@ enum class BoundaryKind { plane };
 /// Faces of the domain through which particles may leave and come back.
 enum Face { x_min, x_max, y_min, y_max, z_min, z_max, face_count };
 
+/// Velocity that damping and friction see: that of the step's instant, of second order; that of half a step before, of
+/// first order, but stable to larger steps of a damped bed; or whichever suits the step.
+enum class ContactVelocity { automatic, step, half_step };
+
 struct DynamicsSpec {
   std::optional<double> time_step;  ///< [s]; none: chosen from the stiffest contact
   double duration = 0;              ///< [s]
+  ContactVelocity contact_velocity = ContactVelocity::automatic;
 };
 
 struct DomainSpec {

@@ -1,6 +1,5 @@
 #include "engine/run.hpp"
 
-#include <chrono>
 #include <fstream>
 
 #include <omp.h>
@@ -8,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "engine/simulation.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace packstone::engine {
 
@@ -21,14 +21,6 @@ std::string machine() {
   }
   return "unknown";
 }
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -72,6 +64,8 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
     record.reason = reason;
     record.warnings = simulation.warnings();
     record.wall_seconds = clock.seconds();
+    record.loop_seconds = simulation.loop_seconds();
+    record.list_builds = simulation.list_builds();
     writer.write_record(record);
   };
   try {

@@ -17,6 +17,7 @@
 #include "engine/filling/growth.hpp"
 #include "engine/filling/population.hpp"
 #include "engine/history_row.hpp"
+#include "engine/stopwatch.hpp"
 
 namespace packstone::engine {
 
@@ -66,6 +67,10 @@ Simulation::Simulation(const Scene& scene, const StartingState& start)
       monitor_(scene_, domain_, dt_, limit_.recommended) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
   scene_.dynamics.time_step = dt_;
+  if (scene_.dynamics.contact_velocity == ContactVelocity::automatic) {
+    const bool damped_beyond = scene.contact.normal == NormalModel::linear && !rotates(scene) && dt_ > limit_.recommended;
+    scene_.dynamics.contact_velocity = damped_beyond ? ContactVelocity::half_step : ContactVelocity::step;
+  }
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
   steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));
@@ -86,13 +91,16 @@ void Simulation::account(const StepSums& sums, double share) {
 
 StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   const double time = time_at(number);
-  StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit, (getenv("LEAD")?atof(getenv("LEAD")):0.5)*dt_};
+  const Stopwatch clock;
+  StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit, 0.0};
+  if (scene_.dynamics.contact_velocity == ContactVelocity::step) input.velocity_lead = 0.5 * dt_;
   if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
   if (dynamics_->neighbours().outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
     dynamics_->rebuild(particles_, input.growth, dt_);
   }
   const StepSums sums = dynamics_->advance(particles_, input, recorder);
+  loop_seconds_ += clock.seconds();
   monitor_.check_overlap(sums, particles_, time);
   return sums;
 }

@@ -44,6 +44,10 @@ class Simulation {
   std::int64_t steps() const { return steps_; }
   /// How far run() has come.
   std::int64_t steps_done() const { return steps_done_; }
+  /// Wall time spent in steps, lists of neighbours included, files and measures not [s].
+  double loop_seconds() const { return loop_seconds_; }
+  /// How often the neighbour list was built.
+  std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
 
  private:
   /// The start is needed no longer than here: the particles take over.
@@ -71,6 +75,7 @@ class Simulation {
   double dt_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t steps_done_ = 0;
+  double loop_seconds_ = 0;
   Particles particles_;
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;

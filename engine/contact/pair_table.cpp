@@ -56,7 +56,7 @@ double largest_damping(const Scene& scene, const MaterialSpec& a, const Material
 
 double largest_stiffness(const Scene& scene, const MaterialSpec& a, const MaterialSpec& b) {
   if (scene.contact.normal == NormalModel::hysteretic) {
-    Hysteretic::Parameters<double> pair;
+    Hysteretic::Parameters<double> pair{};
     set_pair(pair, a, b);
     return pair.stiffness * (1 + pair.damping);
   }

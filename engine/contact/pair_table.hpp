@@ -39,7 +39,7 @@ class PairTable {
   explicit PairTable(const std::vector<MaterialSpec>& materials) : count_(materials.size()) {
     for (const auto& a : materials) {
       for (const auto& b : materials) {
-        Numbers pair;
+        Numbers pair{};
         set_pair(pair, a, b);
         const auto values = pair.values();
         for (std::size_t k = 0; k < values.size(); ++k) table_[k].push_back(values[k]);

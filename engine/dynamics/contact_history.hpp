@@ -35,7 +35,7 @@ class Springs {
     Lanes::store(at, spring.x);
     Lanes::store(at + width_, spring.y);
     Lanes::store(at + 2 * width_, spring.z);
-    touched_[row] = static_cast<std::uint8_t>(bits(touching));
+    touched_[row] = static_cast<std::uint16_t>(bits(touching));
   }
   /// Nothing touches in this row.
   void none(std::int64_t row) {
@@ -50,16 +50,16 @@ class Springs {
   void set(std::int64_t row, int lane, const Vec3& spring) {
     double* at = &values_[index(row) + lane];
     for (int axis = 0; axis < 3; ++axis) at[axis * width_] = spring[axis];
-    touched_[row] = static_cast<std::uint8_t>(touched_[row] | 1u << lane);
+    touched_[row] = static_cast<std::uint16_t>(touched_[row] | 1u << lane);
   }
-  std::size_t bytes() const { return values_.capacity() * sizeof(double) + touched_.capacity(); }
+  std::size_t bytes() const { return values_.capacity() * sizeof(double) + touched_.capacity() * sizeof(std::uint16_t); }
 
  private:
   std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
 
   int width_ = 1;
   AlignedVector<double> values_;  ///< (rows, 3, width)
-  std::vector<std::uint8_t> touched_;
+  std::vector<std::uint16_t> touched_;  ///< a bit a lane
 };
 
 /// Springs in contact by particle id, free of the list's layout.

@@ -3,6 +3,7 @@
 
 #include "engine/simd/avx2.hpp"
 #include "engine/simd/avx512.hpp"
+#include "engine/simd/doubled.hpp"
 #include "engine/simd/scalar.hpp"
 
 namespace packstone::engine::simd {
@@ -14,5 +15,8 @@ using Widest = Avx2;
 #else
 using Widest = Scalar;
 #endif
+
+/// Lanes of the force loop.
+using Step = Doubled<Widest>;
 
 }  // namespace packstone::engine::simd
