@@ -28,6 +28,8 @@ constexpr std::int32_t longest_common_row = 32;
 /// Rows of a block of groups: enough work to be worth fetching.
 constexpr std::int32_t rows_per_block = 256;
 
+std::uint32_t entry(std::int32_t slot) { return static_cast<std::uint32_t>(slot) * NeighbourList::doubles_per_row; }
+
 std::int32_t rows_for(std::int32_t entries, int width) { return (entries + width - 1) / width; }
 
 }  // namespace
@@ -194,8 +196,8 @@ void NeighbourList::fill_rows(std::int32_t nobody) {
 #pragma omp parallel for schedule(dynamic, 64) num_threads(useful_threads(particles_))
   for (std::ptrdiff_t g = 0; g < groups; ++g) {
     const NeighbourGroup& group = groups_[g];
-    std::int32_t* rows = entries_.data() + group.first_row * width_;
-    std::fill_n(rows, static_cast<std::ptrdiff_t>(group.rows) * width_, nobody);
+    std::uint32_t* rows = entries_.data() + group.first_row * width_;
+    std::fill_n(rows, static_cast<std::ptrdiff_t>(group.rows) * width_, entry(nobody));
     for (int lane = 0; lane < width_ && (group.lanes >> lane & 1u) != 0; ++lane) {
       const auto place = static_cast<std::size_t>(place_of_[group.slot + lane]);
       const Found& found = found_[place / search_block];
@@ -203,7 +205,7 @@ void NeighbourList::fill_rows(std::int32_t nobody) {
       const std::int32_t begin = k == 0 ? 0 : found.end[k - 1];
       const int stride = group.shared ? 1 : width_;
       for (std::int32_t e = begin; e < found.end[k]; ++e) {
-        rows[lane + static_cast<std::ptrdiff_t>(e - begin) * stride] = slot_of_[found.neighbours[e]];
+        rows[lane + static_cast<std::ptrdiff_t>(e - begin) * stride] = entry(slot_of_[found.neighbours[e]]);
       }
     }
   }
@@ -230,8 +232,8 @@ void NeighbourList::build(Particles& particles, const Growth& growth, double dt)
   assign_slots();
 
   std::vector<std::int32_t> from(place_of_.size(), Particles::no_particle);
-  reference_.resize(place_of_.size() + HierarchicalGrid::padding);
-  inverse_margin_squared_.assign(place_of_.size() + HierarchicalGrid::padding, 0.0);
+  reference_.resize(place_of_.size());
+  inverse_margin_squared_.assign(place_of_.size(), 0.0);
   for (std::size_t s = 0; s < place_of_.size(); ++s) {
     if (place_of_[s] == Particles::no_particle) continue;
     const std::int32_t k = grid_.order()[place_of_[s]];

@@ -31,6 +31,8 @@ struct GroupBlock {
 
 class NeighbourList {
  public:
+  static constexpr std::uint32_t doubles_per_row = sizeof(Row) / sizeof(double);
+
   /// width: lanes of a group. Periodic sides must be at least least_periodic_side wide.
   NeighbourList(const Domain& domain, int width) : domain_(domain), width_(width) {}
 
@@ -51,8 +53,10 @@ class NeighbourList {
   int width() const { return width_; }
   const std::vector<NeighbourGroup>& groups() const { return groups_; }
   const std::vector<GroupBlock>& blocks() const { return blocks_; }
-  /// Slots of a row's neighbours, one a lane; Particles::nobody where there is none.
-  const std::int32_t* row(std::int64_t row) const { return entries_.data() + row * width_; }
+  /// A row's neighbours, one a lane, as places in the array of Rows counted in doubles, which is what vector loads want;
+  /// that of Particles::nobody where there is none.
+  const std::uint32_t* row(std::int64_t row) const { return entries_.data() + row * width_; }
+  static std::int32_t slot(std::uint32_t entry) { return static_cast<std::int32_t>(entry / doubles_per_row); }
   std::int64_t rows() const { return static_cast<std::int64_t>(entries_.size()) / width_; }
   /// Neighbours, each pair counted twice.
   std::int64_t pairs() const { return pairs_; }
@@ -91,7 +95,7 @@ class NeighbourList {
   HierarchicalGrid grid_;
   std::vector<NeighbourGroup> groups_;
   std::vector<GroupBlock> blocks_;
-  AlignedVector<std::int32_t> entries_;
+  AlignedVector<std::uint32_t> entries_;
   VectorArray reference_;
   AlignedVector<double> inverse_margin_squared_;
   std::int64_t builds_ = 0;

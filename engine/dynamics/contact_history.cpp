@@ -18,7 +18,7 @@ void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t
     if (!occupied) continue;
     const std::int64_t id = p.id[group.shared ? group.slot : group.slot + lane];
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
-      const std::int32_t neighbour = list.row(row)[lane];
+      const std::int32_t neighbour = NeighbourList::slot(list.row(row)[lane]);
       if (neighbour != p.nobody()) visit(id, history.pairs, row, lane, static_cast<std::int64_t>(p.id[neighbour]));
     }
     if (group.shared && lane > 0) continue;

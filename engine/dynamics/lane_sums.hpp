@@ -16,33 +16,53 @@ struct BlockResult {
   Contacts contacts;
 };
 
+/// Over the contacts of one kind.
+template <class Real>
+struct ContactSums {
+  Real damping_power = 0.0;                                         ///< [W]
+  Real growth_power = 0.0;                                          ///< [W]
+  Real sliding_loss = 0.0;                                          ///< [J]
+  Real elastic = 0.0;                                               ///< recorded [J]
+  Real deepest = -std::numeric_limits<double>::infinity();  ///< overlap beyond the limit [m]
+
+  /// share: of these energies that is this side's.
+  void add_to(StepSums& to, const StepInput& in, double share) const {
+    using simd::sum;
+    to.dissipated += share * (in.dt * sum(damping_power) + sum(sliding_loss));
+    to.growth_work += share * in.dt * sum(growth_power);
+    to.elastic += share * sum(elastic);
+  }
+};
+
 template <class Lanes>
 struct LaneSums {
   using Real = typename Lanes::Real;
   using Vector = simd::Vector<Real>;
+  static constexpr std::uint32_t all_lanes = (1u << Lanes::width) - 1;
 
-  Real damping_power = 0.0;             ///< [W]
-  Real sliding_loss = 0.0;              ///< [J]
-  Real growth_power = 0.0;              ///< [W]
-  Vector momentum = Vector::zero();     ///< half a step on [kg m/s]
+  ContactSums<Real> pairs, walls;
+  Vector momentum = Vector::zero();      ///< half a step on [kg m/s]
   Vector displacement = Vector::zero();  ///< [m]
-  Real largest_share_squared = 0.0;     ///< of a margin used up
-  typename Lanes::Mask within_margins = Lanes::mask((1u << Lanes::width) - 1);  ///< false as well for what is not a number
-  Real elastic = 0.0;                   ///< recorded [J]
+  Real largest_share_squared = 0.0;      ///< of a margin used up
+  typename Lanes::Mask within_margins = Lanes::mask(all_lanes);  ///< not where a share is not a number
   StepSums recorded;
 
   void add_to(BlockResult& result, const StepInput& in) const {
-    using simd::bits, simd::largest, simd::sum;
+    using simd::bits, simd::largest;
+    constexpr double one_of_two = 0.5;  // both particles of a pair see their contact
     StepSums& s = result.sums;
-    s.dissipated += in.dt * sum(damping_power) + sum(sliding_loss);
-    s.growth_work += in.dt * sum(growth_power);
+    pairs.add_to(s, in, one_of_two);
+    walls.add_to(s, in, 1);
     s.gravity_work += in.dt * in.gravity.dot(total(momentum));
-    s.elastic += sum(elastic);
-    const bool within = bits(within_margins) == (1u << Lanes::width) - 1;
-    const double share = within ? largest(largest_share_squared) : std::numeric_limits<double>::infinity();
+    const double share = bits(within_margins) == all_lanes ? largest(largest_share_squared)
+                                                           : std::numeric_limits<double>::infinity();
     s.largest_share_squared = std::max(s.largest_share_squared, share);
     s.add(recorded);
     result.displacement += total(displacement);
+  }
+  bool beyond_limit() const {
+    using simd::largest, simd::larger;
+    return largest(larger(pairs.deepest, walls.deepest)) > 0;
   }
 
  private:

@@ -2,22 +2,11 @@
 
 #include <algorithm>
 
-#include "engine/dynamics/newtonian_step.hpp"
-#include "engine/simd/lanes.hpp"
+#include "engine/contact/hysteretic.hpp"
+#include "engine/contact/linear.hpp"
+#include "engine/dynamics/newtonian_with.hpp"
 
 namespace packstone::engine {
-
-namespace {
-
-template <class Normal>
-std::unique_ptr<Dynamics> with_normal(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  if (rotates(scene)) {
-    return std::make_unique<NewtonianStep<simd::Widest, Normal, CundallStrack>>(scene, domain, planes);
-  }
-  return std::make_unique<NewtonianStep<simd::Widest, Normal, Frictionless>>(scene, domain, planes);
-}
-
-}  // namespace
 
 void StepSums::add(const StepSums& other) {
   dissipated += other.dissipated;
@@ -50,12 +39,12 @@ std::vector<Plane> make_planes(const Scene& scene) {
 std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   switch (scene.contact.normal) {
     case NormalModel::hysteretic:
-      return with_normal<Hysteretic>(scene, domain, planes);
+      return newtonian_with<Hysteretic>(scene, domain, planes);
     case NormalModel::linear:
       break;
   }
-  return scene.contact.release == Release::zero_force ? with_normal<Linear<Release::zero_force>>(scene, domain, planes)
-                                                      : with_normal<Linear<Release::zero_overlap>>(scene, domain, planes);
+  return scene.contact.release == Release::zero_force ? newtonian_with<Linear<Release::zero_force>>(scene, domain, planes)
+                                                      : newtonian_with<Linear<Release::zero_overlap>>(scene, domain, planes);
 }
 
 }  // namespace packstone::engine

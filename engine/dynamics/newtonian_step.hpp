@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,7 @@ class NewtonianStep final : public Dynamics {
   const NeighbourList& neighbours() const override { return list_; }
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override {
+    if (list_.builds() == 0) alike_ = all_alike(particles);
     if constexpr (Tangential::active) {
       const StoredContacts stored = history_.store(list_, particles, planes_.size());
       list_.build(particles, growth, dt);
@@ -47,23 +50,9 @@ class NewtonianStep final : public Dynamics {
   }
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
-    const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
-    results_.resize(list_.blocks().size());
-#pragma omp parallel for schedule(dynamic, blocks_per_turn) num_threads(useful_threads(particles.size()))
-    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-      results_[b] = {};
-      recorder ? advance_block<true>(particles, b, input, recorder) : advance_block<false>(particles, b, input, nullptr);
-    }
-    // Blocks are added in order, so that the sums have the same bits for any number of threads.
-    StepSums sums;
-    Vec3 displacement = Vec3::Zero();
-    for (const BlockResult& block : results_) {
-      sums.add(block.sums);
-      displacement += block.displacement;
-      if (recorder && recorder->want_contacts) append(recorder->contacts, block.contacts);
-    }
-    list_.moved(sums.largest_share_squared, displacement, input.dt);
-    return sums;
+    if (recorder) return advance_all<true, false>(particles, input, recorder);
+    return alike_ ? advance_all<false, true>(particles, input, nullptr)
+                  : advance_all<false, false>(particles, input, nullptr);
   }
 
  private:
@@ -90,12 +79,44 @@ class NewtonianStep final : public Dynamics {
   struct Place {
     using Real = typename L::Real;
     typename L::Mask touching;
-    simd::Vector<Real> normal;  ///< from the second body to the first
+    simd::Vector<Real> separation;  ///< from the second body to the first
+    Real inverse_distance;          ///< 1/|separation|
     Real overlap;
-    Real share;  ///< of its energies to count here: both particles of a pair see it
   };
 
-  template <bool record>
+  /// One radius, mass and material: then the loop over neighbours need not look them up.
+  static bool all_alike(const Particles& p) {
+    const Row& model = p.now.rows.front();
+    for (std::size_t s = 0; s < p.slots(); ++s) {
+      if (!p.is_particle(s)) continue;
+      const Row& row = p.now.rows[s];
+      if (row.radius != model.radius || row.inverse_mass != model.inverse_mass) return false;
+    }
+    return true;
+  }
+
+  template <bool record, bool alike>
+  StepSums advance_all(Particles& particles, const StepInput& input, Recorder* recorder) {
+    const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
+    results_.resize(list_.blocks().size());
+#pragma omp parallel for schedule(dynamic, blocks_per_turn) num_threads(useful_threads(particles.size()))
+    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+      results_[b] = {};
+      advance_block<record, alike>(particles, b, input, recorder);
+    }
+    // Blocks are added in order, so that the sums have the same bits for any number of threads.
+    StepSums sums;
+    Vec3 displacement = Vec3::Zero();
+    for (const BlockResult& block : results_) {
+      sums.add(block.sums);
+      displacement += block.displacement;
+      if (recorder && recorder->want_contacts) append(recorder->contacts, block.contacts);
+    }
+    list_.moved(sums.largest_share_squared, displacement, input.dt);
+    return sums;
+  }
+
+  template <bool record, bool alike>
   void advance_block(Particles& p, std::ptrdiff_t block, const StepInput& in, Recorder* recorder) {
     BlockResult& result = results_[block];
     LaneSums<Lanes> sums;
@@ -105,18 +126,47 @@ class NewtonianStep final : public Dynamics {
       const NeighbourGroup& group = list_.groups()[g];
       if (group.shared) {
         const auto self = bodies_alone<Lanes>(p, group.slot);
-        const Loads<Lanes> loads = pair_loads<record>(p, group, self, in, recorder, sums, result);
+        const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
         const Loads<simd::Scalar> total{total_of(loads.force), total_of(loads.torque)};
         finish<record, simd::Scalar>(p, g, bodies_alone<simd::Scalar>(p, group.slot), total, in, recorder, alone_sums,
                                      result);
       } else {
         const auto self = bodies_in_line(p, group.slot);
-        const Loads<Lanes> loads = pair_loads<record>(p, group, self, in, recorder, sums, result);
+        const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
         finish<record, Lanes>(p, g, self, loads, in, recorder, sums, result);
       }
     }
     sums.add_to(result, in);
     alone_sums.add_to(result, in);
+    if (sums.beyond_limit() || alone_sums.beyond_limit()) result.sums.offence = offence_in(p, groups, in);
+  }
+
+  /// The first contact of these groups whose overlap is beyond the limit.
+  [[gnu::noinline]] std::optional<Offence> offence_in(const Particles& p, const GroupBlock& groups,
+                                                      const StepInput& in) const {
+    const auto beyond = [&](double overlap, std::size_t slot) {
+      return overlap > in.overlap_limit * p.now.rows[slot].radius;
+    };
+    for (std::int32_t g = groups.first; g < groups.last; ++g) {
+      const NeighbourGroup& group = list_.groups()[g];
+      for (int lane = 0; lane < Lanes::width; ++lane) {
+        const auto i = static_cast<std::size_t>(group.shared ? group.slot : group.slot + lane);
+        if (!group.shared && (group.lanes >> lane & 1u) == 0) continue;
+        const Row& first = p.now.rows[i];
+        for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
+          const std::int32_t j = NeighbourList::slot(list_.row(row)[lane]);
+          const Row& second = p.now.rows[j];
+          const double distance = domain_.separation(first.position, second.position).norm();
+          const double overlap = in.growth.scale * (first.radius + second.radius) - distance;
+          if (beyond(overlap, i)) return Offence{p.id[i], p.id[j], overlap};
+        }
+        for (std::size_t w = 0; w < planes_.size(); ++w) {
+          const double overlap = in.growth.scale * first.radius - planes_[w].distance(first.position);
+          if (beyond(overlap, i)) return Offence{p.id[i], -1 - static_cast<std::int64_t>(w), overlap};
+        }
+      }
+    }
+    return std::nullopt;
   }
 
   static simd::Vector<double> total_of(const simd::Vector<typename Lanes::Real>& v) {
@@ -126,6 +176,7 @@ class NewtonianStep final : public Dynamics {
 
   static constexpr std::size_t row_stride = sizeof(Row) / sizeof(double);
   static constexpr std::size_t spin_stride = sizeof(Spin) / sizeof(double);
+  static constexpr std::size_t velocity_offset = offsetof(Row, velocity) / sizeof(double);
   static const double* numbers(const Row* rows) { return reinterpret_cast<const double*>(rows); }
   static const double* numbers(const Spin* spins) { return reinterpret_cast<const double*>(spins); }
 
@@ -140,6 +191,15 @@ class NewtonianStep final : public Dynamics {
     return b;
   }
 
+  static simd::Vector<typename Lanes::Real> spins_of(const Particles& p, const std::uint32_t* neighbour) {
+    static_assert(row_stride == 2 * spin_stride);
+    std::uint32_t offset[Lanes::width];
+    for (int lane = 0; lane < Lanes::width; ++lane) offset[lane] = neighbour[lane] / 2;
+    typename Lanes::Real c[3];
+    Lanes::template read_columns<3>(numbers(p.now.spins.data()), offset, c);
+    return {c[0], c[1], c[2]};
+  }
+
   template <class L>
   Bodies<L> bodies_alone(const Particles& p, std::int32_t slot) const {
     using Real = typename L::Real;
@@ -151,7 +211,7 @@ class NewtonianStep final : public Dynamics {
   }
 
   /// Forces from the particles in the group's rows.
-  template <bool record>
+  template <bool record, bool alike>
   [[gnu::always_inline]] Loads<Lanes> pair_loads(const Particles& p, const NeighbourGroup& group,
                                                  const Bodies<Lanes>& self, const StepInput& in, Recorder* recorder,
                                                  LaneSums<Lanes>& sums, BlockResult& result) {
@@ -159,42 +219,42 @@ class NewtonianStep final : public Dynamics {
     using Real = typename Lanes::Real;
     Loads<Lanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
     const double* rows = numbers(p.now.rows.data());
-    const std::int32_t self_slots = group.slot;
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
-      const std::int32_t* neighbour = list_.row(row);
+      const std::uint32_t* neighbour = list_.row(row);
+      Bodies<Lanes> other;
       Real c[4];
-      Lanes::template read_columns<4, row_stride>(rows, neighbour, c);
+      Lanes::template read_columns<alike ? 3 : 4>(rows, neighbour, c);
       simd::Vector<Real> d = self.position - simd::Vector<Real>{c[0], c[1], c[2]};
       if (group.images) d = nearest_image(d);
-      const Real radii = self.radius + c[3];
-      const Real reach = Real(in.growth.scale) * radii;
+      other.radius = alike ? self.radius : c[3];
+      const Real reach = Real(in.growth.scale) * (self.radius + other.radius);
       const Real squared = squared_length(d);
       const auto touching = squared < reach * reach;
       if (!any(touching)) {
         if constexpr (Tangential::active) history_.pairs.none(row);
         continue;
       }
-      Bodies<Lanes> other;
-      other.radius = c[3];
-      Lanes::template read_columns<4, row_stride>(rows + 4, neighbour, c);
+      Lanes::template read_columns<alike ? 3 : 4>(rows + velocity_offset, neighbour, c);
       other.velocity = {c[0], c[1], c[2]};
-      other.inverse_mass = c[3];
+      other.inverse_mass = alike ? self.inverse_mass : c[3];
       if constexpr (Tangential::active) {
-        Lanes::template read_columns<3, spin_stride>(numbers(p.now.spins.data()), neighbour, c);
-        other.angular_velocity = {c[0], c[1], c[2]};
+        other.angular_velocity = spins_of(p, neighbour);
       }
       const Real inverse_distance = inverse_sqrt(squared);
-      const Place<Lanes> at{touching, inverse_distance * d, reach - squared * inverse_distance, Real(0.5)};
+      const Place<Lanes> at{touching, d, inverse_distance, reach - squared * inverse_distance};
+      const auto slots = [&](int lane) {
+        return std::pair{group.shared ? group.slot : group.slot + lane, NeighbourList::slot(neighbour[lane])};
+      };
       const auto who = [&](int lane) {
-        const std::int32_t first = group.shared ? self_slots : self_slots + lane;
-        return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[neighbour[lane]]};
+        const auto [first, second] = slots(lane);
+        return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[second]};
       };
-      const auto material = [&](auto& table) {
-        return parameters<Lanes>(table, [&](int lane) {
-          return std::pair{p.material[group.shared ? self_slots : self_slots + lane], p.material[neighbour[lane]]};
-        });
+      const auto materials = [&](int lane) {
+        const auto [first, second] = slots(lane);
+        return std::pair{p.material[first], p.material[second]};
       };
-      touch<record, Lanes>(self, other, at, history_.pairs, row, material, who, in, recorder, loads, sums, result);
+      touch<record, alike, Lanes>(self, other, at, history_.pairs, row, materials, who, in, recorder, loads, sums.pairs,
+                                  result);
     }
     return loads;
   }
@@ -221,16 +281,15 @@ class NewtonianStep final : public Dynamics {
       }
       Bodies<L> wall{self.position,       Real(0.0), simd::Vector<Real>::zero(), Real(0.0),
                      simd::Vector<Real>::zero()};
-      const Place<L> at{touching, normal, overlap, Real(1.0)};
+      const Place<L> at{touching, normal, Real(1.0), overlap};
       const auto who = [&](int lane) {
         return std::pair<std::int64_t, std::int64_t>{p.id[group.slot + lane], -1 - static_cast<std::int64_t>(w)};
       };
-      const auto material = [&](auto& table) {
-        return parameters<L>(table, [&](int lane) {
-          return std::pair{p.material[group.slot + lane], static_cast<std::int32_t>(plane.material)};
-        });
+      const auto materials = [&](int lane) {
+        return std::pair{p.material[group.slot + lane], static_cast<std::int32_t>(plane.material)};
       };
-      touch<record, L>(self, wall, at, history_.walls, row, material, who, in, recorder, loads, sums, result);
+      touch<record, false, L>(self, wall, at, history_.walls, row, materials, who, in, recorder, loads, sums.walls,
+                              result);
     }
     move<record, L>(p, group, self, loads, occupied, in, recorder, sums);
   }
@@ -247,43 +306,45 @@ class NewtonianStep final : public Dynamics {
   }
 
   /// A law's parameters for each lane's pair of materials.
-  template <class L, class Law, class Pair>
-  [[gnu::always_inline]] static auto parameters(const PairTable<Law>& table, const Pair& materials_of) {
+  template <bool alike, class L, class Law, class Materials>
+  [[gnu::always_inline]] static auto parameters(const PairTable<Law>& table, const Materials& materials) {
     using Real = typename L::Real;
     using Parameters = typename Law::template Parameters<Real>;
-    if (table.materials() == 1) return Parameters::from([&](int k) { return Real(*table.table(k)); });
+    if (alike || table.materials() == 1) return Parameters::from([&](int k) { return Real(*table.table(k)); });
+    return looked_up<L>(table, materials);
+  }
+
+  /// Kept out of the loop, whose registers it would take.
+  template <class L, class Law, class Materials>
+  [[gnu::noinline]] static auto looked_up(const PairTable<Law>& table, const Materials& materials) {
+    using Parameters = typename Law::template Parameters<typename L::Real>;
     std::int32_t pair[L::width];
     for (int lane = 0; lane < L::width; ++lane) {
-      const auto [a, b] = materials_of(lane);
+      const auto [a, b] = materials(lane);
       pair[lane] = a * static_cast<std::int32_t>(table.materials()) + b;
     }
     return Parameters::from([&](int k) { return L::gather(table.table(k), pair); });
   }
 
   /// Adds the forces and torques of some contacts on the first bodies.
-  template <bool record, class L, class Material, class Who>
+  template <bool record, bool alike, class L, class Materials, class Who>
   [[gnu::always_inline]] void touch(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
-                                    Springs& springs, std::int64_t row, const Material& material, const Who& who,
-                                    const StepInput& in, Recorder* recorder, Loads<L>& loads, LaneSums<L>& sums,
-                                    BlockResult& result) const {
-    using simd::any, simd::bits, simd::fused_where, simd::only;
+                                    Springs& springs, std::int64_t row, const Materials& materials, const Who& who,
+                                    const StepInput& in, Recorder* recorder, Loads<L>& loads,
+                                    ContactSums<typename L::Real>& sums, BlockResult& result) const {
+    using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
     using Real = typename L::Real;
     const simd::Vector<Real> relative = first.velocity - second.velocity;
     const Real growth_rate = Real(in.growth.rate) * (first.radius + second.radius);
-    const Real rate = growth_rate - dot(relative, at.normal);
-    const auto law = material(normal_);
+    const Real rate = fused(-at.inverse_distance, dot(relative, at.separation), growth_rate);
+    const auto law = parameters<alike, L>(normal_, materials);
     const NormalForce<Real> normal = Normal::force(law, at.overlap, rate, first.inverse_mass + second.inverse_mass);
     const Real total = normal.total();
-    loads.force = fused_where(at.touching, total, at.normal, loads.force);
-    const Real share = at.share;
-    sums.damping_power = fused_where(at.touching, share * normal.damping, rate, sums.damping_power);
-    if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, share * total, growth_rate, sums.growth_power);
-    const typename L::Mask beyond = (Real(in.overlap_limit) * first.radius < at.overlap) & at.touching;
-    if (any(beyond) && !result.sums.offence) {
-      const int lane = std::countr_zero(bits(beyond));
-      const auto [a, b] = who(lane);
-      result.sums.offence = Offence{a, b, L::lane(at.overlap, lane)};
-    }
+    loads.force = fused_where(at.touching, total * at.inverse_distance, at.separation, loads.force);
+    sums.damping_power = fused_where(at.touching, normal.damping, rate, sums.damping_power);
+    if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, total, growth_rate, sums.growth_power);
+    sums.deepest = larger(fused(Real(-in.overlap_limit), first.radius, at.overlap), sums.deepest);
+    [[maybe_unused]] const simd::Vector<Real> n = at.inverse_distance * at.separation;
     [[maybe_unused]] simd::Vector<Real> tangential_force = simd::Vector<Real>::zero();
     [[maybe_unused]] std::uint32_t sliding = 0;
     [[maybe_unused]] Real elastic = Normal::energy(law, at.overlap);
@@ -291,21 +352,22 @@ class NewtonianStep final : public Dynamics {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
       const simd::Vector<Real> spin =
           Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
-      const simd::Vector<Real> contact_velocity = relative - cross(spin, at.normal);
+      const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
       const simd::Vector<Real> sliding_velocity =
-          fused(-dot(contact_velocity, at.normal), at.normal, contact_velocity);
+          fused(-dot(contact_velocity, n), n, contact_velocity);
       simd::Vector<Real> spring = springs.load<L>(row);
-      const auto friction = Tangential::advance(material(tangential_), spring, at.normal, sliding_velocity, total, in.dt);
+      const auto friction = Tangential::advance(parameters<alike, L>(tangential_, materials), spring, n,
+                                                sliding_velocity, total, in.dt);
       springs.store<L>(row, at.touching, spring);
       tangential_force = only(at.touching, friction.force);
       loads.force += tangential_force;
-      loads.torque -= Real(in.growth.scale) * first.radius * only(at.touching, cross(at.normal, tangential_force));
-      sums.sliding_loss += only(at.touching, share * friction.dissipated);
+      loads.torque -= Real(in.growth.scale) * first.radius * only(at.touching, cross(n, tangential_force));
+      sums.sliding_loss += only(at.touching, friction.dissipated);
       elastic += friction.elastic;
       sliding = bits(friction.sliding);
     }
     if constexpr (record) {
-      sums.elastic += only(at.touching, share * elastic);
+      sums.elastic += only(at.touching, elastic);
       for (std::uint32_t lanes = bits(at.touching); lanes != 0; lanes &= lanes - 1) {
         const int k = std::countr_zero(lanes);
         const auto lane = [&](const simd::Vector<Real>& v) {
@@ -317,14 +379,14 @@ class NewtonianStep final : public Dynamics {
         if (b >= 0 && b < a) continue;
         ++(b < 0 ? result.sums.wall_contacts : result.sums.particle_contacts);
         if (!recorder->want_contacts) continue;
-        const Vec3 n = lane(at.normal);
+        const Vec3 normal_k = lane(n);
         Contacts& c = result.contacts;
         c.first.push_back(a);
         c.second.push_back(b);
-        c.force.push_back(L::lane(total, k) * n + lane(tangential_force));
-        c.normal.push_back(n);
+        c.force.push_back(L::lane(total, k) * normal_k + lane(tangential_force));
+        c.normal.push_back(normal_k);
         c.overlap.push_back(overlap);
-        c.point.push_back(lane(first.position) - (in.growth.scale * radius - 0.5 * overlap) * n);
+        c.point.push_back(lane(first.position) - (in.growth.scale * radius - 0.5 * overlap) * normal_k);
         c.sliding.push_back((sliding >> k & 1u) != 0);
       }
     }
@@ -415,6 +477,7 @@ class NewtonianStep final : public Dynamics {
   Vec3 inverse_side_;  ///< 0 along axes that are not periodic [1/m]
   std::vector<Plane> planes_;
   NeighbourList list_;
+  bool alike_ = false;
   PairTable<Normal> normal_;
   PairTable<Tangential> tangential_;
   ContactHistory history_;

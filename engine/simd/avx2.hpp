@@ -47,6 +47,7 @@ struct Avx2 {
     friend Real fused_where(Mask m, Real a, Real b, Real c) { return select(m, fused(a, b, c), c); }
     friend Real select(Mask m, Real yes, Real no) { return _mm256_blendv_pd(no.v, yes.v, m.lanes); }
     friend Real only(Mask m, Real x) { return _mm256_and_pd(m.lanes, x.v); }
+    /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm256_max_pd(a.v, b.v); }
     friend Real smaller(Real a, Real b) { return _mm256_min_pd(a.v, b.v); }
     friend Real absolute(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
@@ -72,9 +73,9 @@ struct Avx2 {
     return _mm256_setr_pd(table[index[0]], table[index[1]], table[index[2]], table[index[3]]);
   }
 
-  template <int columns, std::size_t stride>
-  [[gnu::always_inline]] static void read_columns(const double* base, const std::int32_t* index, Real* column) {
-    const auto row = [&](int k) { return base + stride * static_cast<std::size_t>(index[k]); };
+  template <int columns>
+  [[gnu::always_inline]] static void read_columns(const double* base, const std::uint32_t* offset, Real* column) {
+    const auto row = [&](int k) { return base + offset[k]; };
     read_half<columns>(row, 0, column);
     if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
   }

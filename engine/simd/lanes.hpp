@@ -3,7 +3,6 @@
 
 #include "engine/simd/avx2.hpp"
 #include "engine/simd/avx512.hpp"
-#include "engine/simd/doubled.hpp"
 #include "engine/simd/scalar.hpp"
 
 namespace packstone::engine::simd {
@@ -15,8 +14,5 @@ using Widest = Avx2;
 #else
 using Widest = Scalar;
 #endif
-
-/// Lanes of the force loop.
-using Step = Doubled<Widest>;
 
 }  // namespace packstone::engine::simd

@@ -23,7 +23,8 @@ inline double fused_where(bool mask, double a, double b, double c) { return mask
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 /// x where the mask holds, 0 elsewhere, whatever x is there.
 inline double only(bool mask, double x) { return mask ? x : 0.0; }
-inline double larger(double a, double b) { return std::max(a, b); }
+/// b where either is not a number.
+inline double larger(double a, double b) { return a > b ? a : b; }
 inline double smaller(double a, double b) { return std::min(a, b); }
 inline double absolute(double a) { return std::abs(a); }
 inline double nearest_integer(double a) { return std::nearbyint(a); }
@@ -48,10 +49,10 @@ struct Scalar {
   /// table[index] of every lane.
   static Real gather(const double* table, const std::int32_t* index) { return table[*index]; }
 
-  /// Reads `columns` consecutive doubles of one row a lane; row k begins at base + stride * index[k].
-  template <int columns, std::size_t stride>
-  static void read_columns(const double* base, const std::int32_t* index, Real* column) {
-    const double* row = base + stride * static_cast<std::size_t>(*index);
+  /// Reads `columns` consecutive doubles of one row a lane; that of lane k begins at base + offset[k].
+  template <int columns>
+  static void read_columns(const double* base, const std::uint32_t* offset, Real* column) {
+    const double* row = base + *offset;
     for (int c = 0; c < columns; ++c) column[c] = row[c];
   }
   /// The same of `width` rows in sequence.

@@ -1,0 +1,18 @@
+// The definition behind newtonian_with.hpp, for the files that instantiate it.
+#pragma once
+
+#include "engine/dynamics/newtonian_step.hpp"
+#include "engine/dynamics/newtonian_with.hpp"
+#include "engine/simd/lanes.hpp"
+
+namespace packstone::engine {
+
+template <class Normal>
+std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+  if (rotates(scene)) {
+    return std::make_unique<NewtonianStep<simd::Widest, Normal, CundallStrack>>(scene, domain, planes);
+  }
+  return std::make_unique<NewtonianStep<simd::Widest, Normal, Frictionless>>(scene, domain, planes);
+}
+
+}  // namespace packstone::engine
