@@ -1,0 +1,142 @@
+// The fast step, in every width of lanes that this build has, against its slow twin.
+#include <catch2/catch.hpp>
+
+#include "core/random.hpp"
+#include "engine/dynamics/make_particles.hpp"
+#include "engine/dynamics/newtonian_step.hpp"
+#include "engine/simd/lanes.hpp"
+#include "slow_twin.hpp"
+
+using namespace packstone;
+using namespace packstone::engine;
+using engine::testing::SlowTwin;
+using engine::testing::TwinSphere;
+
+namespace {
+
+constexpr double step_length = 2e-6;
+
+struct Bed {
+  Scene scene;
+  StartingState start;
+};
+
+/// Overlapping spheres at random in a box, periodic along x and y, with a floor and a wall; every third of the second
+/// material.
+Bed bed(const std::string& contact, double friction, double largest, double smallest, std::size_t count,
+        bool one_material) {
+  const std::string common = "density = 2000\nnormal_stiffness = 1e5\ntangential_stiffness = 8e4\n";
+  std::string text = "[dynamics]\nduration = 1\n[domain]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.5]\n"
+                     "periodic = [\"x\", \"y\"]\n[contact]\n" + contact + "\n";
+  text += "[[material]]\nname = \"a\"\n" + common + "restitution = 0.5\nfriction = " + std::to_string(friction) + "\n";
+  text += "[[material]]\nname = \"b\"\ndensity = 5000\nnormal_stiffness = 2e5\ntangential_stiffness = 1e5\n"
+          "restitution = 0.7\nfriction = " + std::to_string(friction / 2) + "\n";
+  text += "[[particles]]\nmaterial = \"a\"\ncount = 1\nradius = 0.02\n";
+  text += "[[particles]]\nmaterial = \"b\"\ncount = 1\nradius = 0.02\n";
+  text += "[filling]\nkind = \"growth\"\nduration = 0.1\n[output]\ninterval = 0.1\n";
+  text += "[[boundary]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  text += "[[boundary]]\nname = \"lid\"\nkind = \"plane\"\npoint = [0, 0, 0.5]\nnormal = [0, 0, -1]\n";
+  if (!one_material) text += "material = \"b\"\n";
+  if (one_material) {  // one in all: the tables of pairs have one entry
+    const std::size_t second = text.find("[[material]]\nname = \"b\"");
+    text.erase(second, text.find("[[particles]]") - second);
+    const std::size_t group = text.find("[[particles]]\nmaterial = \"b\"");
+    text.erase(group, text.find("[filling]") - group);
+  }
+  Bed b{parse_scene(text, "step"), {}};
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Random r(5, RandomStream::filling_position, i);
+    const auto vector = [&](double low, double high) {
+      return Vec3(r.uniform(low, high), r.uniform(low, high), r.uniform(low, high));
+    };
+    b.start.position.push_back(vector(0.005, 0.495));
+    b.start.velocity.push_back(vector(-1, 1));
+    b.start.angular_velocity.push_back(rotates(b.scene) ? vector(-20, 20) : Vec3::Zero());
+    b.start.radius.push_back(i % 40 == 0 ? largest : smallest);
+    b.start.type.push_back(!one_material && i % 3 == 0 ? 1 : 0);
+  }
+  return b;
+}
+
+std::vector<TwinSphere> twins(const Bed& b, const Particles& p) {
+  std::vector<TwinSphere> spheres(b.start.size());
+  for (std::size_t s = 0; s < p.slots(); ++s) {
+    if (!p.is_particle(s)) continue;
+    const auto i = static_cast<std::size_t>(p.id[s]);
+    const Vec3 v = b.start.velocity[i], w = b.start.angular_velocity[i];
+    spheres[i] = {b.start.position[i], v, v, w, w, b.start.radius[i], p.mass[s], p.material[s]};
+  }
+  return spheres;
+}
+
+template <class Lanes, class Normal, class Tangential>
+void check_against_twin(const Bed& b, double lead) {
+  Particles p = make_particles(b.scene, b.start);
+  NewtonianStep<Lanes, Normal, Tangential> fast(b.scene, b.scene.box(), make_planes(b.scene));
+  SlowTwin slow(b.scene, twins(b, p));
+  StepInput in;
+  in.dt = step_length;
+  in.gravity = Vec3(0.5, 0, -9.8);
+  in.overlap_limit = 10;
+  in.velocity_lead = lead * step_length;
+  Recorder recorder;
+  recorder.velocity.resize(p.size());
+  recorder.force.resize(p.size());
+  recorder.angular_velocity.resize(p.size());
+  for (int n = 0; n < 40; ++n) {
+    in.growth = n < 20 ? Growth{0.8 + n * 0.005, 0.005 / step_length * 0.02} : Growth{0.95, 0};
+    if (fast.neighbours().outdated(in.growth)) fast.rebuild(p, in.growth, in.dt);
+    const bool record = n % 10 == 9;
+    const StepSums sums = fast.advance(p, in, record ? &recorder : nullptr);
+    slow.step(in);
+    std::swap(p.now, p.next);
+    REQUIRE(sums.dissipated == Approx(slow.dissipated()).epsilon(1e-8));
+    if (record) REQUIRE(sums.particle_contacts + sums.wall_contacts == slow.contacts());
+  }
+  CHECK(slow.contacts() > 20);
+  double position = 0, velocity = 0, spin = 0;
+  for (std::size_t s = 0; s < p.slots(); ++s) {
+    if (!p.is_particle(s)) continue;
+    const TwinSphere& twin = slow.spheres()[static_cast<std::size_t>(p.id[s])];
+    position = std::max(position, b.scene.box().separation(p.now.rows[s].position, twin.position).norm());
+    velocity = std::max(velocity, (p.half_velocity.get(s) - twin.half_velocity).norm());
+    if (p.turns()) spin = std::max(spin, (p.half_angular_velocity.get(s) - twin.half_spin).norm() * 0.02);
+  }
+  CHECK(position < 1e-13);
+  CHECK(velocity < 1e-9);
+  CHECK(spin < 1e-9);
+}
+
+template <class Lanes>
+void check_all() {
+  INFO(Lanes::name);
+  const std::string linear = "normal = \"linear\"\n", hysteretic = "normal = \"hysteretic\"\n";
+  const std::string friction = "tangential = \"cundall-strack\"\n";
+  const Bed alike = bed(linear, 0, 0.02, 0.02, 300, true);
+  check_against_twin<Lanes, Linear<Release::zero_overlap>, Frictionless>(alike, 0.5);
+  check_against_twin<Lanes, Linear<Release::zero_overlap>, Frictionless>(alike, 0);
+  const Bed two_materials = bed(linear, 0, 0.02, 0.02, 300, false);
+  check_against_twin<Lanes, Linear<Release::zero_overlap>, Frictionless>(two_materials, 0.5);
+  // The largest have more neighbours than a common row holds.
+  const Bed two_sizes = bed(linear + friction, 0.4, 0.09, 0.014, 450, false);
+  check_against_twin<Lanes, Linear<Release::zero_overlap>, CundallStrack>(two_sizes, 0.5);
+  const Bed rubbing = bed(linear + friction, 0.4, 0.02, 0.02, 300, true);
+  check_against_twin<Lanes, Linear<Release::zero_overlap>, CundallStrack>(rubbing, 0.5);
+}
+
+}  // namespace
+
+TEST_CASE("the step agrees with its slow twin in portable code") { check_all<simd::Scalar>(); }
+#ifdef PACKSTONE_AVX2
+TEST_CASE("the step agrees with its slow twin in AVX2") { check_all<simd::Avx2>(); }
+#endif
+#ifdef PACKSTONE_AVX512
+TEST_CASE("the step agrees with its slow twin in AVX-512") { check_all<simd::Avx512>(); }
+#endif
+
+TEST_CASE("hysteretic damping and a contact that ends with its force agree with the slow twin") {
+  const Bed hysteretic = bed("normal = \"hysteretic\"\n", 0, 0.09, 0.014, 450, false);
+  check_against_twin<simd::Widest, Hysteretic, Frictionless>(hysteretic, 0.5);
+  const Bed released = bed("normal = \"linear\"\nrelease = \"zero-force\"\n", 0, 0.02, 0.02, 300, false);
+  check_against_twin<simd::Widest, Linear<Release::zero_force>, Frictionless>(released, 0.5);
+}
