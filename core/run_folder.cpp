@@ -121,7 +121,8 @@ RunRecord RunReader::record() const {
     r.reason = json.at("reason");
     r.warnings = json.at("warnings").get<std::vector<std::string>>();
     r.wall_seconds = json.at("wall_seconds");
-    r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have neither
+    r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the three
+    r.list_seconds = json.value("list_seconds", 0.0);
     r.list_builds = json.value("list_builds", std::int64_t{0});
     r.steps = json.at("steps");
     r.particles = json.at("particles");
@@ -165,6 +166,7 @@ void RunWriter::write_record(const RunRecord& r) const {
                              {"steps", r.steps},
                              {"wall_seconds", r.wall_seconds},
                              {"loop_seconds", r.loop_seconds},
+                             {"list_seconds", r.list_seconds},
                              {"list_builds", r.list_builds}};
   write_text_file(path_ / "run.json", json.dump(2) + "\n");
 }

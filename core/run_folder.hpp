@@ -32,6 +32,7 @@ struct RunRecord {
   std::vector<std::string> warnings;
   double wall_seconds = 0;
   double loop_seconds = 0;       ///< of it in time steps, lists of neighbours included
+  double list_seconds = 0;       ///< of that in building them
   std::int64_t list_builds = 0;  ///< how often the neighbour list was built
   std::int64_t steps = 0;
   std::int64_t particles = 0;

@@ -34,11 +34,12 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
               "auto", d.time_step);
   v.number({"duration", "Physical time to simulate, filling included", unit::second, Range::positive()}, d.duration,
            required);
-  v.choice({"contact_velocity",
-            "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
-            "step before, of first order but stable to larger steps of a damped bed. auto: half-step for linear "
-            "contacts without friction beyond the recommended time step, else step"},
-           {"auto", "step", "half-step"}, d.contact_velocity, has_default);
+  v.choice(
+      {"contact_velocity",
+       "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
+       "step before, of first order but stable to larger steps of a damped bed. auto: half-step for linear "
+       "contacts without friction beyond the recommended time step, else step"},
+      {"auto", "step", "half-step"}, d.contact_velocity, has_default);
 }
 
 void describe_domain(OptionVisitor& v, DomainSpec& d) {

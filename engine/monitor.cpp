@@ -57,8 +57,8 @@ void Monitor::check_positions(const Particles& particles, double time) const {
         const bool open = std::count(scene_.domain.open.begin(), scene_.domain.open.end(), face) > 0;
         if (beyond <= (open ? side[axis] : 0)) continue;
         throw RunError(fmt::format(
-            "t = {:.6g} s: {} left the domain through the face {} at {}; {}", time,
-            particle(scene_, particles, slot), face_names[face], place(p),
+            "t = {:.6g} s: {} left the domain through the face {} at {}; {}", time, particle(scene_, particles, slot),
+            face_names[face], place(p),
             open ? "it is more than a domain's length away and will not come back; close the face with a boundary"
                  : fmt::format("add a boundary there, enlarge the domain, or list \"{}\" in domain.open; if it went "
                                "through a boundary: {}",

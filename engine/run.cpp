@@ -65,6 +65,7 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
     record.warnings = simulation.warnings();
     record.wall_seconds = clock.seconds();
     record.loop_seconds = simulation.loop_seconds();
+    record.list_seconds = simulation.list_seconds();
     record.list_builds = simulation.list_builds();
     writer.write_record(record);
   };

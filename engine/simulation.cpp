@@ -68,7 +68,8 @@ Simulation::Simulation(const Scene& scene, const StartingState& start)
   check_periodic_sides(scene, domain_, largest_radius(population_));
   scene_.dynamics.time_step = dt_;
   if (scene_.dynamics.contact_velocity == ContactVelocity::automatic) {
-    const bool damped_beyond = scene.contact.normal == NormalModel::linear && !rotates(scene) && dt_ > limit_.recommended;
+    const bool damped_beyond =
+        scene.contact.normal == NormalModel::linear && !rotates(scene) && dt_ > limit_.recommended;
     scene_.dynamics.contact_velocity = damped_beyond ? ContactVelocity::half_step : ContactVelocity::step;
   }
   scene_text_ = to_toml(scene_);
@@ -97,7 +98,9 @@ StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
   if (dynamics_->neighbours().outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
+    const Stopwatch list_clock;
     dynamics_->rebuild(particles_, input.growth, dt_);
+    list_seconds_ += list_clock.seconds();
   }
   const StepSums sums = dynamics_->advance(particles_, input, recorder);
   loop_seconds_ += clock.seconds();

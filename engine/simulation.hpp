@@ -46,6 +46,8 @@ class Simulation {
   std::int64_t steps_done() const { return steps_done_; }
   /// Wall time spent in steps, lists of neighbours included, files and measures not [s].
   double loop_seconds() const { return loop_seconds_; }
+  /// Of it in building lists of neighbours [s].
+  double list_seconds() const { return list_seconds_; }
   /// How often the neighbour list was built.
   std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
 
@@ -76,6 +78,7 @@ class Simulation {
   std::int64_t steps_ = 0;
   std::int64_t steps_done_ = 0;
   double loop_seconds_ = 0;
+  double list_seconds_ = 0;
   Particles particles_;
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;

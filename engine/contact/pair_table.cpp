@@ -9,7 +9,8 @@ namespace packstone::engine {
 namespace {
 
 template <Release release>
-void set_linear(typename Linear<release>::template Parameters<double>& pair, const MaterialSpec& a, const MaterialSpec& b) {
+void set_linear(typename Linear<release>::template Parameters<double>& pair, const MaterialSpec& a,
+                const MaterialSpec& b) {
   pair.stiffness = in_series(a.normal_stiffness, b.normal_stiffness);
   if (a.restitution && b.restitution) {
     const double zeta = linear_damping_ratio(std::sqrt(*a.restitution * *b.restitution), release);

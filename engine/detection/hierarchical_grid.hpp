@@ -44,7 +44,7 @@ class HierarchicalGrid {
 
  private:
   struct Level {
-    double extent = 0;       ///< of its largest sphere [m]
+    double extent = 0;        ///< of its largest sphere [m]
     Vec3 low = Vec3::Zero();  ///< corner of cell (0, 0, 0) [m]
     Vec3 width = Vec3::Ones();
     Vec3 cells_per_metre = Vec3::Ones();
@@ -75,8 +75,8 @@ class HierarchicalGrid {
   template <class Visit>
   void visit_column(const Level& level, std::int64_t column, double z, double half_height, Visit& visit) const;
 
-  std::vector<Level> levels_;          ///< finest first
-  std::vector<std::int32_t> first_;    ///< where each cell begins in the order
+  std::vector<Level> levels_;        ///< finest first
+  std::vector<std::int32_t> first_;  ///< where each cell begins in the order
   std::vector<std::int32_t> order_;
   VectorArray position_;
   AlignedVector<double> extent_;

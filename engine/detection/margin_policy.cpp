@@ -15,7 +15,7 @@ constexpr double steps_per_build = 8;
 constexpr double least_size_share = 0.01;
 constexpr double largest_size_share = 0.4;
 constexpr double first_size_share = 0.05;
-constexpr double longest_life = 5000;  ///< [steps]
+constexpr double longest_life = 5000;    ///< [steps]
 constexpr double slowest_calming = 0.5;  ///< factor on the agitation from one list to the next
 constexpr std::int64_t first_look = 64;  ///< [steps]
 

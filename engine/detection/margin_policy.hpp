@@ -30,7 +30,8 @@ class MarginPolicy {
   Margins balanced(double agitation, double dt, double mean_speed) const;
 
   Margins margins_;
-  double agitation_ = -1;  ///< largest part of its radius that a particle moves in a second, by pushes; negative: unknown
+  double agitation_ =
+      -1;  ///< largest part of its radius that a particle moves in a second, by pushes; negative: unknown
   double mean_speed_ = 0;
 };
 

@@ -16,12 +16,12 @@ namespace packstone::engine {
 /// spread over the lanes. Both particles of a pair list each other, so that each gathers its own forces in an order
 /// that no thread count changes.
 struct NeighbourGroup {
-  std::int32_t slot;      ///< of the first particle
-  std::int32_t rows;      ///< of `width` entries each
+  std::int32_t slot;  ///< of the first particle
+  std::int32_t rows;  ///< of `width` entries each
   std::int64_t first_row;
-  std::uint32_t lanes;    ///< bits of those that hold a particle; 1 for a shared group
-  bool shared;            ///< all lanes belong to the particle in `slot`
-  bool images;            ///< a neighbour lies across a periodic side
+  std::uint32_t lanes;  ///< bits of those that hold a particle; 1 for a shared group
+  bool shared;          ///< all lanes belong to the particle in `slot`
+  bool images;          ///< a neighbour lies across a periodic side
 };
 
 /// Groups that one thread takes in one go; sums over a block are made in order, whoever makes them.
@@ -53,8 +53,8 @@ class NeighbourList {
   int width() const { return width_; }
   const std::vector<NeighbourGroup>& groups() const { return groups_; }
   const std::vector<GroupBlock>& blocks() const { return blocks_; }
-  /// A row's neighbours, one a lane, as places in the array of Rows counted in doubles, which is what vector loads want;
-  /// that of Particles::nobody where there is none.
+  /// A row's neighbours, one a lane, as places in the array of Rows counted in doubles, which is what vector loads
+  /// want; that of Particles::nobody where there is none.
   const std::uint32_t* row(std::int64_t row) const { return entries_.data() + row * width_; }
   static std::int32_t slot(std::uint32_t entry) { return static_cast<std::int32_t>(entry / doubles_per_row); }
   std::int64_t rows() const { return static_cast<std::int64_t>(entries_.size()) / width_; }

@@ -10,8 +10,8 @@
 
 namespace packstone::engine {
 
-/// One spring a lane and row [m]. Springs of contacts that did not touch in the step before are zero, and are kept so by
-/// a bit rather than by writing zeros.
+/// One spring a lane and row [m]. Springs of contacts that did not touch in the step before are zero, and are kept so
+/// by a bit rather than by writing zeros.
 class Springs {
  public:
   void resize(std::int64_t rows, int width) {
@@ -52,13 +52,15 @@ class Springs {
     for (int axis = 0; axis < 3; ++axis) at[axis * width_] = spring[axis];
     touched_[row] = static_cast<std::uint16_t>(touched_[row] | 1u << lane);
   }
-  std::size_t bytes() const { return values_.capacity() * sizeof(double) + touched_.capacity() * sizeof(std::uint16_t); }
+  std::size_t bytes() const {
+    return values_.capacity() * sizeof(double) + touched_.capacity() * sizeof(std::uint16_t);
+  }
 
  private:
   std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
 
   int width_ = 1;
-  AlignedVector<double> values_;  ///< (rows, 3, width)
+  AlignedVector<double> values_;        ///< (rows, 3, width)
   std::vector<std::uint16_t> touched_;  ///< a bit a lane
 };
 

@@ -19,10 +19,10 @@ struct BlockResult {
 /// Over the contacts of one kind.
 template <class Real>
 struct ContactSums {
-  Real damping_power = 0.0;                                         ///< [W]
-  Real growth_power = 0.0;                                          ///< [W]
-  Real sliding_loss = 0.0;                                          ///< [J]
-  Real elastic = 0.0;                                               ///< recorded [J]
+  Real damping_power = 0.0;                                 ///< [W]
+  Real growth_power = 0.0;                                  ///< [W]
+  Real sliding_loss = 0.0;                                  ///< [J]
+  Real elastic = 0.0;                                       ///< recorded [J]
   Real deepest = -std::numeric_limits<double>::infinity();  ///< overlap beyond the limit [m]
 
   /// share: of these energies that is this side's.
@@ -41,9 +41,9 @@ struct LaneSums {
   static constexpr std::uint32_t all_lanes = (1u << Lanes::width) - 1;
 
   ContactSums<Real> pairs, walls;
-  Vector momentum = Vector::zero();      ///< half a step on [kg m/s]
-  Vector displacement = Vector::zero();  ///< [m]
-  Real largest_share_squared = 0.0;      ///< of a margin used up
+  Vector momentum = Vector::zero();                              ///< half a step on [kg m/s]
+  Vector displacement = Vector::zero();                          ///< [m]
+  Real largest_share_squared = 0.0;                              ///< of a margin used up
   typename Lanes::Mask within_margins = Lanes::mask(all_lanes);  ///< not where a share is not a number
   StepSums recorded;
 
@@ -54,8 +54,8 @@ struct LaneSums {
     pairs.add_to(s, in, one_of_two);
     walls.add_to(s, in, 1);
     s.gravity_work += in.dt * in.gravity.dot(total(momentum));
-    const double share = bits(within_margins) == all_lanes ? largest(largest_share_squared)
-                                                           : std::numeric_limits<double>::infinity();
+    const double share =
+        bits(within_margins) == all_lanes ? largest(largest_share_squared) : std::numeric_limits<double>::infinity();
     s.largest_share_squared = std::max(s.largest_share_squared, share);
     s.add(recorded);
     result.displacement += total(displacement);

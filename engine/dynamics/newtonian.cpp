@@ -43,8 +43,9 @@ std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domai
     case NormalModel::linear:
       break;
   }
-  return scene.contact.release == Release::zero_force ? newtonian_with<Linear<Release::zero_force>>(scene, domain, planes)
-                                                      : newtonian_with<Linear<Release::zero_overlap>>(scene, domain, planes);
+  return scene.contact.release == Release::zero_force
+             ? newtonian_with<Linear<Release::zero_force>>(scene, domain, planes)
+             : newtonian_with<Linear<Release::zero_overlap>>(scene, domain, planes);
 }
 
 }  // namespace packstone::engine

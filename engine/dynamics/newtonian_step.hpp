@@ -57,6 +57,8 @@ class NewtonianStep final : public Dynamics {
 
  private:
   static constexpr int blocks_per_turn = 4;
+  /// How far ahead of their use rows are asked for [slots]: neighbours are read about a column of cells ahead.
+  static constexpr std::int32_t rows_read_ahead = 1024, rows_written_ahead = 64;
 
   /// Some particles side by side, as a contact sees them.
   template <class L>
@@ -124,6 +126,7 @@ class NewtonianStep final : public Dynamics {
     const GroupBlock& groups = list_.blocks()[block];
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
+      prefetch_for_next(p, g);
       if (group.shared) {
         const auto self = bodies_alone<Lanes>(p, group.slot);
         const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
@@ -139,6 +142,28 @@ class NewtonianStep final : public Dynamics {
     sums.add_to(result, in);
     alone_sums.add_to(result, in);
     if (sums.beyond_limit() || alone_sums.beyond_limit()) result.sums.offence = offence_in(p, groups, in);
+  }
+
+  /// Asks for what the next group will read, and for what comes soon after: the rows of neighbours lie scattered, and a
+  /// step waits for memory more than it computes (docs/performance.md).
+  [[gnu::always_inline]] void prefetch_for_next(Particles& p, std::int32_t g) const {
+    const std::size_t last = list_.groups().size() - 1;
+    const NeighbourGroup& next = list_.groups()[std::min<std::size_t>(g + 1, last)];
+    const double* rows = numbers(p.now.rows.data());
+    const std::uint32_t* entry = list_.row(next.first_row);
+    const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * Lanes::width;
+    for (; entry < end; ++entry) {
+      __builtin_prefetch(rows + *entry);
+      if constexpr (Tangential::active) __builtin_prefetch(numbers(p.now.spins.data()) + *entry / 2);
+    }
+    const auto slots = static_cast<std::int32_t>(p.slots());
+    const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - Lanes::width);
+    const std::int32_t write = std::min(next.slot + rows_written_ahead, slots - Lanes::width);
+    constexpr int for_writing = 1, into_second_level = 2;
+    for (int k = 0; k < Lanes::width; ++k) {
+      __builtin_prefetch(&p.now.rows[std::max(read, 0) + k], 0, into_second_level);
+      __builtin_prefetch(&p.next.rows[std::max(write, 0) + k], for_writing, into_second_level);
+    }
   }
 
   /// The first contact of these groups whose overlap is beyond the limit.
@@ -180,7 +205,7 @@ class NewtonianStep final : public Dynamics {
   static const double* numbers(const Row* rows) { return reinterpret_cast<const double*>(rows); }
   static const double* numbers(const Spin* spins) { return reinterpret_cast<const double*>(spins); }
 
-  Bodies<Lanes> bodies_in_line(const Particles& p, std::int32_t slot) const {
+  [[gnu::always_inline]] Bodies<Lanes> bodies_in_line(const Particles& p, std::int32_t slot) const {
     typename Lanes::Real c[8];
     Lanes::template read_columns<8, row_stride>(numbers(&p.now.rows[slot]), c);
     Bodies<Lanes> b{{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}, c[7], {}};
@@ -279,8 +304,7 @@ class NewtonianStep final : public Dynamics {
         if constexpr (Tangential::active) history_.walls.none(row);
         continue;
       }
-      Bodies<L> wall{self.position,       Real(0.0), simd::Vector<Real>::zero(), Real(0.0),
-                     simd::Vector<Real>::zero()};
+      Bodies<L> wall{self.position, Real(0.0), simd::Vector<Real>::zero(), Real(0.0), simd::Vector<Real>::zero()};
       const Place<L> at{touching, normal, Real(1.0), overlap};
       const auto who = [&](int lane) {
         return std::pair<std::int64_t, std::int64_t>{p.id[group.slot + lane], -1 - static_cast<std::int64_t>(w)};
@@ -353,11 +377,10 @@ class NewtonianStep final : public Dynamics {
       const simd::Vector<Real> spin =
           Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
       const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
-      const simd::Vector<Real> sliding_velocity =
-          fused(-dot(contact_velocity, n), n, contact_velocity);
+      const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
       simd::Vector<Real> spring = springs.load<L>(row);
-      const auto friction = Tangential::advance(parameters<alike, L>(tangential_, materials), spring, n,
-                                                sliding_velocity, total, in.dt);
+      const auto friction =
+          Tangential::advance(parameters<alike, L>(tangential_, materials), spring, n, sliding_velocity, total, in.dt);
       springs.store<L>(row, at.touching, spring);
       tangential_force = only(at.touching, friction.force);
       loads.force += tangential_force;
@@ -445,9 +468,7 @@ class NewtonianStep final : public Dynamics {
       for (int k = 0; k < L::width; ++k) {
         const std::size_t slot = static_cast<std::size_t>(group.slot) + k;
         if ((group.lanes >> k & 1u) == 0) continue;
-        const auto lane = [&](const Vector& v) {
-          return Vec3(L::lane(v.x, k), L::lane(v.y, k), L::lane(v.z, k));
-        };
+        const auto lane = [&](const Vector& v) { return Vec3(L::lane(v.x, k), L::lane(v.y, k), L::lane(v.z, k)); };
         const Vec3 a = lane(acceleration), v = lane(before) + 0.5 * in.dt * a;
         sums.recorded.kinetic_translational += 0.5 * p.mass[slot] * v.squaredNorm();
         sums.recorded.largest_speed_squared = std::max(sums.recorded.largest_speed_squared, v.squaredNorm());

@@ -21,7 +21,7 @@ struct StepInput {
   Growth growth;
   Vec3 gravity = Vec3::Zero();  ///< [m/s2]; zero before it starts
   double overlap_limit = 0;     ///< share of the smaller full radius
-  double velocity_lead = 0;     ///< by which the velocity that contacts see in the next step is ahead of the half step [s]
+  double velocity_lead = 0;  ///< by which the velocity that contacts see in the next step is ahead of the half step [s]
 };
 
 /// A contact beyond the overlap limit.
@@ -33,10 +33,10 @@ struct Offence {
 
 /// Sums over all particles; those marked (recorded) are only made in a recording step.
 struct StepSums {
-  double dissipated = 0;                    ///< by normal damping and sliding [J]
-  double growth_work = 0;                   ///< of growing radii against contact forces [J]
-  double gravity_work = 0;                  ///< [J]
-  double largest_share_squared = 0;         ///< of its list margin that a particle has used; infinite if not a number
+  double dissipated = 0;             ///< by normal damping and sliding [J]
+  double growth_work = 0;            ///< of growing radii against contact forces [J]
+  double gravity_work = 0;           ///< [J]
+  double largest_share_squared = 0;  ///< of its list margin that a particle has used; infinite if not a number
   std::optional<Offence> offence;
   double kinetic_translational = 0;    ///< (recorded) [J]
   double kinetic_rotational = 0;       ///< (recorded) [J]

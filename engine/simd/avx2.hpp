@@ -4,11 +4,11 @@
 #if defined(__AVX2__) && defined(__FMA__)
 #define PACKSTONE_AVX2 1
 
-#include <immintrin.h>
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include <immintrin.h>
 
 namespace packstone::engine::simd {
 
@@ -51,9 +51,7 @@ struct Avx2 {
     friend Real larger(Real a, Real b) { return _mm256_max_pd(a.v, b.v); }
     friend Real smaller(Real a, Real b) { return _mm256_min_pd(a.v, b.v); }
     friend Real absolute(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
-    friend Real nearest_integer(Real a) {
-      return _mm256_round_pd(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
-    }
+    friend Real nearest_integer(Real a) { return _mm256_round_pd(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
     friend Real inverse_sqrt(Real x) { return Real(1.0) / Real(_mm256_sqrt_pd(x.v)); }
     friend double sum(Real x) { return (x.v[0] + x.v[2]) + (x.v[1] + x.v[3]); }
     friend double largest(Real x) {
@@ -95,7 +93,8 @@ struct Avx2 {
 
   static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
     int count = 0;
-    for (std::uint32_t lanes = bits(mask); lanes != 0; lanes &= lanes - 1) to[count++] = first + std::countr_zero(lanes);
+    for (std::uint32_t lanes = bits(mask); lanes != 0; lanes &= lanes - 1)
+      to[count++] = first + std::countr_zero(lanes);
     return count;
   }
 

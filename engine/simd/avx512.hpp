@@ -4,11 +4,11 @@
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define PACKSTONE_AVX512 1
 
-#include <immintrin.h>
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include <immintrin.h>
 
 namespace packstone::engine::simd {
 
@@ -103,7 +103,8 @@ struct Avx512 {
     const __m512d xy_odd = _mm512_maskz_unpackhi_pd(all, column[0].v, column[1].v);
     const __m512d zw_even = _mm512_maskz_unpacklo_pd(all, column[2].v, column[3].v);
     const __m512d zw_odd = _mm512_maskz_unpackhi_pd(all, column[2].v, column[3].v);
-    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11),
+                  high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
     const auto write = [&](int k, __m512d even_or_odd_rows) {
       _mm256_storeu_pd(rows + stride * k, _mm512_castpd512_pd256(even_or_odd_rows));
       _mm256_storeu_pd(rows + stride * (k + 2), _mm512_maskz_extractf64x4_pd(all, even_or_odd_rows, 1));
@@ -115,8 +116,7 @@ struct Avx512 {
   }
 
   static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
-    const __m256i index =
-        _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(mask.bits, index));
     return std::popcount(mask.bits);
   }
@@ -128,7 +128,7 @@ struct Avx512 {
   [[gnu::always_inline]] static void read_half(const RowAt& row, int offset, Real* column) {
     const auto two = [&](int a, int b) {
       return _mm512_maskz_insertf64x4(all, _mm512_castpd256_pd512(_mm256_loadu_pd(row(a) + offset)),
-                                _mm256_loadu_pd(row(b) + offset), 1);
+                                      _mm256_loadu_pd(row(b) + offset), 1);
     };
     const __m512d a = two(0, 2), b = two(1, 3), c = two(4, 6), d = two(5, 7);
     const __m512d even_low = _mm512_maskz_unpacklo_pd(all, a, b), even_high = _mm512_maskz_unpacklo_pd(all, c, d);

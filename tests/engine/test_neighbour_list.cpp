@@ -59,7 +59,8 @@ Pairs touching_by_list(const Particles& p, const Domain& domain, const Neighbour
   for (const NeighbourGroup& group : list.groups()) {
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
       for (int lane = 0; lane < list.width(); ++lane) {
-        const std::int32_t j = NeighbourList::slot(list.row(row)[lane]), i = group.shared ? group.slot : group.slot + lane;
+        const std::int32_t j = NeighbourList::slot(list.row(row)[lane]),
+                           i = group.shared ? group.slot : group.slot + lane;
         if (j == p.nobody()) continue;
         REQUIRE(p.is_particle(static_cast<std::size_t>(i)));
         const Vec3 a = p.now.rows[i].position, b = p.now.rows[j].position;

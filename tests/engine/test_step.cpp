@@ -26,11 +26,15 @@ struct Bed {
 Bed bed(const std::string& contact, double friction, double largest, double smallest, std::size_t count,
         bool one_material) {
   const std::string common = "density = 2000\nnormal_stiffness = 1e5\ntangential_stiffness = 8e4\n";
-  std::string text = "[dynamics]\nduration = 1\n[domain]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.5]\n"
-                     "periodic = [\"x\", \"y\"]\n[contact]\n" + contact + "\n";
+  std::string text =
+      "[dynamics]\nduration = 1\n[domain]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.5]\n"
+      "periodic = [\"x\", \"y\"]\n[contact]\n" +
+      contact + "\n";
   text += "[[material]]\nname = \"a\"\n" + common + "restitution = 0.5\nfriction = " + std::to_string(friction) + "\n";
-  text += "[[material]]\nname = \"b\"\ndensity = 5000\nnormal_stiffness = 2e5\ntangential_stiffness = 1e5\n"
-          "restitution = 0.7\nfriction = " + std::to_string(friction / 2) + "\n";
+  text +=
+      "[[material]]\nname = \"b\"\ndensity = 5000\nnormal_stiffness = 2e5\ntangential_stiffness = 1e5\n"
+      "restitution = 0.7\nfriction = " +
+      std::to_string(friction / 2) + "\n";
   text += "[[particles]]\nmaterial = \"a\"\ncount = 1\nradius = 0.02\n";
   text += "[[particles]]\nmaterial = \"b\"\ncount = 1\nradius = 0.02\n";
   text += "[filling]\nkind = \"growth\"\nduration = 0.1\n[output]\ninterval = 0.1\n";

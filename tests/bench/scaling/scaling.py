@@ -1,0 +1,192 @@
+#!/usr/bin/python3
+"""Cost of a particle and step over the number of particles, the ratio of sizes and the threads. See ../README.md.
+
+Packings are jammed without gravity by growth, at a packing fraction that gives every one about six contacts a particle:
+equal spheres in a small periodic box, tiled to any number; large spheres among small ones in a box of six walls.
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import pathlib
+import subprocess
+
+import h5py
+import numpy as np
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+RADIUS = 0.005  # of the small spheres [m]
+TILE = 8000  # spheres of the periodic packing
+FRACTION = 0.65  # solid volume over the box's: a little beyond random close packing
+PARTICLE_STEPS = 1.5e9  # of a timed run: tens of seconds
+LEAST_STEPS, MOST_STEPS = 400, 40000
+
+SCENE = """
+title = "Jammed spheres"
+[dynamics]
+time_step = 5e-6
+duration = {duration:.17g}
+[domain]
+min = [0, 0, 0]
+max = [{side[0]:.17g}, {side[1]:.17g}, {side[2]:.17g}]
+periodic = {periodic}
+[contact]
+normal = "linear"
+[[material]]
+name = "steel"
+density = 7800
+normal_stiffness = 1e7
+restitution = 0.42
+{particles}
+{filling}
+{walls}
+[monitor]
+overlap_limit = 1
+energy_tolerance = 1e9
+[output]
+interval = {duration:.17g}
+history_interval = {duration:.17g}
+contacts = false
+fields = ["velocity"]
+"""
+
+
+def sphere(radius: float) -> float:
+    return 4 / 3 * math.pi * radius**3
+
+
+def walls(side: float) -> str:
+    text = ""
+    for axis in range(3):
+        for end, sign in ((0.0, 1), (side, -1)):
+            point, normal = [0.0] * 3, [0] * 3
+            point[axis], normal[axis] = end, sign
+            text += f'[[boundary]]\nname = "{"xyz"[axis]}{sign:+d}"\nkind = "plane"\npoint = {point}\nnormal = {normal}\n'
+    return text
+
+
+def group(count: int | None, radius: float) -> str:
+    text = '[[particles]]\nmaterial = "steel"\n'
+    return text if count is None else text + f"count = {count}\nradius = {radius:.17g}\n"
+
+
+def packstone(scene: str, folder: pathlib.Path, threads: int) -> tuple[dict, int]:
+    """Runs a scene; returns run.json and the peak memory [byte]."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "scene_in.toml").write_text(scene)
+    command = [os.environ.get("PACKSTONE", REPOSITORY / "build" / "packstone"), "run", folder / "scene_in.toml", "-o",
+               folder / "run", "--overwrite", "--quiet", "--threads", str(threads)]  # fmt: skip
+    with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
+        _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        raise SystemExit(f"packstone failed: {' '.join(map(str, command))}")
+    return json.loads((folder / "run" / "run.json").read_text()), 1024 * usage.ru_maxrss
+
+
+def last_snapshot(folder: pathlib.Path) -> h5py.File:
+    return h5py.File(sorted((folder / "run" / "snapshots").glob("snapshot_*.vtkhdf"))[-1])
+
+
+def jammed_tile(folder: pathlib.Path) -> tuple[np.ndarray, float]:
+    """Positions of the periodic packing and its side."""
+    side = (TILE * sphere(RADIUS) / FRACTION) ** (1 / 3)
+    if not (folder / "run" / "run.json").exists():
+        filling = '[filling]\nkind = "growth"\nduration = 0.05'
+        packstone(SCENE.format(duration=0.1, side=3 * [side], periodic='["x", "y", "z"]', walls="",
+                               particles=group(TILE, RADIUS), filling=filling), folder, 2)  # fmt: skip
+    return last_snapshot(folder)["VTKHDF/Points"][:], side
+
+
+def tiled(positions: np.ndarray, side: float, tiles: tuple[int, int, int], file: pathlib.Path) -> None:
+    """A file of the packing repeated along each axis, in the order of an unsorted input."""
+    shifts = np.stack(np.meshgrid(*map(np.arange, tiles)), -1).reshape(-1, 3) * side
+    points = (positions[None] + shifts[:, None]).reshape(-1, 3)
+    points = points[np.random.default_rng(1).permutation(len(points))]
+    rows = np.column_stack([points, np.full(len(points), RADIUS)])
+    np.savetxt(file, rows, fmt="%.10g", delimiter=",", header="x,y,z,radius", comments="")
+
+
+def from_file(file: pathlib.Path) -> str:
+    return f'[filling]\nkind = "file"\npath = "{file}"'
+
+
+def timed(folder: pathlib.Path, file: pathlib.Path, side: list[float], periodic: str, wall: str, particles: int,
+          groups: int, threads: int) -> dict:  # fmt: skip
+    steps = int(min(MOST_STEPS, max(LEAST_STEPS, PARTICLE_STEPS / particles)))
+    scene = SCENE.format(duration=steps * 5e-6, side=side, periodic=periodic, walls=wall,
+                         particles=groups * group(None, RADIUS), filling=from_file(file))  # fmt: skip
+    record, memory = packstone(scene, folder, threads)
+    history = np.genfromtxt(folder / "run" / "history.csv", delimiter=",", names=True)
+    return {"particles": particles, "threads": threads, "ns": 1e9 * record["loop_seconds"] / particles / record["steps"],
+            "lists": record["list_seconds"] / record["loop_seconds"], "builds": record["list_builds"],
+            "steps": record["steps"], "z": float(np.atleast_1d(history)[-1]["coordination"]),
+            "bytes": memory / particles}  # fmt: skip
+
+
+def over_particles(folder: pathlib.Path, numbers: list[int], threads: list[int]) -> list[dict]:
+    positions, side = jammed_tile(folder / "tile")
+    rows = []
+    for number in numbers:
+        edge = max(1, round((number / TILE) ** (1 / 3)))
+        tiles = (edge, edge, max(1, round(number / TILE / edge**2)))
+        file = folder / f"tiles_{number}.csv"
+        if not file.exists():
+            tiled(positions, side, tiles, file)
+        count = TILE * math.prod(tiles)
+        for t in threads:
+            row = timed(folder / f"n{number}", file, [side * n for n in tiles], '["x", "y", "z"]', "", count, 1, t)
+            rows.append({"case": "equal spheres", "ratio": 1, **row})
+            print(line(rows[-1]), flush=True)
+    return rows
+
+
+def over_ratios(folder: pathlib.Path, ratios: list[float], threads: list[int]) -> list[dict]:
+    """100,000 small spheres and as many large ones as have an eighth of their volume, at least one."""
+    small, rows = 100000, []
+    for ratio in ratios:
+        large = 0 if ratio == 1 else max(1, round(small / 8 / ratio**3))
+        solid = small * sphere(RADIUS) + large * sphere(ratio * RADIUS)
+        side = (solid / FRACTION) ** (1 / 3)
+        bed = folder / f"ratio{ratio:g}"
+        groups = group(small, RADIUS) + (group(large, ratio * RADIUS) if large else "")
+        if not (bed / "run" / "run.json").exists():
+            filling = '[filling]\nkind = "growth"\nduration = 0.1'
+            packstone(SCENE.format(duration=0.15, side=3 * [side], periodic="[]", walls=walls(side), particles=groups,
+                                   filling=filling), bed, 2)  # fmt: skip
+        file = sorted((bed / "run" / "snapshots").glob("snapshot_*.vtkhdf"))[-1]
+        for t in threads:
+            row = timed(folder / f"timed_ratio{ratio:g}", file, 3 * [side], "[]", walls(side), small + large,
+                        2 if large else 1, t)  # fmt: skip
+            rows.append({"case": f"{large} large among small", "ratio": ratio, **row})
+            print(line(rows[-1]), flush=True)
+    return rows
+
+
+HEADER = ("| particles | ratio of radii | threads | ns a particle and step | million particle-steps a second | z | "
+          "lists' share of the time | steps a list | peak bytes a particle |\n|" + 9 * "---|")  # fmt: skip
+
+
+def line(row: dict) -> str:
+    lives = row["steps"] / max(1, row["builds"])
+    return (f"| {row['particles']} | {row['ratio']:g} | {row['threads']} | {row['ns']:.1f} | {1e3 / row['ns']:.1f} | "
+            f"{row['z']:.2f} | {100 * row['lists']:.0f} % | {lives:.0f} | {row['bytes']:.0f} |")  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser.add_argument("--numbers", nargs="*", type=int, default=[8000, 32000, 100000, 300000, 1000000, 3000000])
+    parser.add_argument("--ratios", nargs="*", type=float, default=[1, 2, 5, 10, 20, 50])
+    parser.add_argument("--threads", nargs="+", type=int, default=[1, 2])
+    parser.add_argument("--folder", type=pathlib.Path, default=REPOSITORY / "build" / "bench" / "scaling")
+    options = parser.parse_args()
+    print(HEADER, flush=True)
+    rows = over_particles(options.folder, options.numbers, options.threads)
+    rows += over_ratios(options.folder, options.ratios, options.threads)
+    (options.folder / "scaling.json").write_text(json.dumps(rows, indent=1))
+    (options.folder / "scaling.md").write_text("\n".join([HEADER, *map(line, rows)]) + "\n")
+
+
+if __name__ == "__main__":
+    main()
