@@ -17,8 +17,6 @@ constexpr std::int64_t cells_per_particle = 16;
 constexpr std::int64_t least_cell_limit = 1 << 16;
 /// Cells along z over those along x and y: a range of them costs no more when they are finer.
 constexpr double z_refinement = 2;
-/// Columns along either side of a tile.
-constexpr int tile = 8;
 constexpr std::size_t most_levels = 256;
 
 }  // namespace
@@ -26,27 +24,6 @@ constexpr std::size_t most_levels = 256;
 int HierarchicalGrid::Level::cell_along(double coordinate, int axis) const {
   const double cell = (coordinate - low[axis]) * cells_per_metre[axis];
   return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells[axis] - 1)));
-}
-
-std::int64_t HierarchicalGrid::Level::column(int a, int b) const {
-  const int tile_a = a / tile * tile, tile_b = b / tile * tile;
-  const int columns = std::min(tile, cells[0] - tile_a), rows = std::min(tile, cells[1] - tile_b);
-  const std::int64_t before = static_cast<std::int64_t>(tile_b) * cells[0] + static_cast<std::int64_t>(tile_a) * rows;
-  return (before + (b - tile_b) * columns + (a - tile_a)) * cells[2];
-}
-
-HierarchicalGrid::Window HierarchicalGrid::window(const Level& level, int axis, double coordinate, double reach) {
-  const int last_cell = level.cells[axis] - 1;
-  const double from = (coordinate - reach - level.low[axis]) * level.cells_per_metre[axis];
-  const double to = (coordinate + reach - level.low[axis]) * level.cells_per_metre[axis];
-  if (!level.periodic[axis]) {
-    if (to < 0 || from > last_cell + 1) return {0, -1, false};
-    return {static_cast<int>(std::max(from, 0.0)), static_cast<int>(std::min(to, static_cast<double>(last_cell))),
-            false};
-  }
-  const double first = std::floor(from), last = std::floor(to);
-  if (last - first >= last_cell) return {0, last_cell, true};
-  return {static_cast<int>(first), static_cast<int>(last), false};
 }
 
 void HierarchicalGrid::choose_levels(const AlignedVector<double>& extent, std::vector<std::uint8_t>& level_of) {

@@ -1,6 +1,7 @@
 // Particles sorted into grids of cells, one grid a size class: He, Dong & Zhou, Phys. Rev. E 75 (2007) 036710.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -73,7 +74,7 @@ class HierarchicalGrid {
   template <class Visit>
   void visit_level(const Level& level, const Vec3& point, double extent, Visit& visit) const;
   template <class Visit>
-  void visit_column(const Level& level, std::int64_t column, double z, double half_height, Visit& visit) const;
+  void visit_column(const Level& level, std::int64_t column, const Window& along_z, Visit& visit) const;
 
   std::vector<Level> levels_;        ///< finest first
   std::vector<std::int32_t> first_;  ///< where each cell begins in the order
@@ -82,46 +83,76 @@ class HierarchicalGrid {
   AlignedVector<double> extent_;
 };
 
+inline std::int64_t HierarchicalGrid::Level::column(int a, int b) const {
+  constexpr int tile = 8;  // columns along either side
+  const int tile_a = a / tile * tile, tile_b = b / tile * tile;
+  const int columns = std::min(tile, cells[0] - tile_a), rows = std::min(tile, cells[1] - tile_b);
+  const std::int64_t before = static_cast<std::int64_t>(tile_b) * cells[0] + static_cast<std::int64_t>(tile_a) * rows;
+  return (before + (b - tile_b) * columns + (a - tile_a)) * cells[2];
+}
+
+inline HierarchicalGrid::Window HierarchicalGrid::window(const Level& level, int axis, double coordinate,
+                                                         double reach) {
+  const int last_cell = level.cells[axis] - 1;
+  const double from = (coordinate - reach - level.low[axis]) * level.cells_per_metre[axis];
+  const double to = (coordinate + reach - level.low[axis]) * level.cells_per_metre[axis];
+  if (!level.periodic[axis]) {
+    if (to < 0 || from > last_cell + 1) return {0, -1, false};
+    return {static_cast<int>(std::max(from, 0.0)), static_cast<int>(std::min(to, static_cast<double>(last_cell))),
+            false};
+  }
+  const int first = static_cast<int>(std::floor(from)), last = static_cast<int>(std::floor(to));
+  if (last - first >= last_cell) return {0, last_cell, true};
+  return {first, last, false};
+}
+
 template <class Visit>
 void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double extent, Visit& visit) const {
   constexpr double rounding = 1 + 1e-12;  // a pair found from one side is found from the other
+  constexpr int few_columns = 3;          // across; of so few the sphere cuts off little
   const double reach = (extent + level.extent) * rounding;
   const Window wx = window(level, 0, point[0], reach), wy = window(level, 1, point[1], reach);
+  const Window wz = window(level, 2, point[2], reach);
+  if (wx.first > wx.last || wy.first > wy.last || wz.first > wz.last) return;
+  const bool clip = wx.last - wx.first >= few_columns || wy.last - wy.first >= few_columns;
   for (int b = wy.first; b <= wy.last; ++b) {
     const auto distance = [&](const Window& w, int cell, int axis) {  // from the point to the cell's slab
       if (w.whole) return 0.0;
       const double near = level.low[axis] + cell * level.width[axis] - point[axis];
       return std::max({near, -near - level.width[axis], 0.0}) * (2 - rounding);
     };
-    const double dy = distance(wy, b, 1);
+    const int row = wrapped(b, level.cells[1]);
+    const double dy = clip ? distance(wy, b, 1) : 0;
     for (int a = wx.first; a <= wx.last; ++a) {
+      const std::int64_t column = level.column(wrapped(a, level.cells[0]), row);
+      if (!clip) {
+        visit_column(level, column, wz, visit);
+        continue;
+      }
       const double dx = distance(wx, a, 0);
       const double squared = reach * reach - dx * dx - dy * dy;
-      if (squared < 0) continue;
-      visit_column(level, level.column(wrapped(a, level.cells[0]), wrapped(b, level.cells[1])), point[2],
-                   std::sqrt(squared), visit);
+      if (squared >= 0) visit_column(level, column, window(level, 2, point[2], std::sqrt(squared)), visit);
     }
   }
 }
 
 template <class Visit>
-void HierarchicalGrid::visit_column(const Level& level, std::int64_t column, double z, double half_height,
+void HierarchicalGrid::visit_column(const Level& level, std::int64_t column, const Window& along_z,
                                     Visit& visit) const {
-  const Window w = window(level, 2, z, half_height);
   const std::int32_t* first = first_.data() + level.first_cell + column;
   const int cells = level.cells[2];
   const auto range = [&](int from, int to) {
     if (first[from] < first[to + 1]) visit(first[from], first[to + 1]);
   };
-  if (w.first > w.last) return;
-  if (w.first < 0) {
-    range(w.first + cells, cells - 1);
-    range(0, w.last);
-  } else if (w.last >= cells) {
-    range(w.first, cells - 1);
-    range(0, w.last - cells);
+  if (along_z.first > along_z.last) return;
+  if (along_z.first < 0) {
+    range(along_z.first + cells, cells - 1);
+    range(0, along_z.last);
+  } else if (along_z.last >= cells) {
+    range(along_z.first, cells - 1);
+    range(0, along_z.last - cells);
   } else {
-    range(w.first, w.last);
+    range(along_z.first, along_z.last);
   }
 }
 

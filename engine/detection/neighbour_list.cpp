@@ -101,9 +101,9 @@ void NeighbourList::search_one(std::size_t place, Found& found) const {
   bool any_across = false;
   const auto self = static_cast<std::int32_t>(place);
   grid_.for_each_range(here, own_extent, [&](std::int32_t begin, std::int32_t end) {
-    const std::size_t kept = found.neighbours.size();
-    found.neighbours.resize(kept + static_cast<std::size_t>(end - begin) + Widest::width);
-    std::int32_t* to = found.neighbours.data() + kept;
+    const std::size_t most = found.used + static_cast<std::size_t>(end - begin) + Widest::width;
+    if (found.neighbours.size() < most) found.neighbours.resize(2 * most);
+    std::int32_t* to = found.neighbours.data() + found.used;
     for (std::int32_t k = begin; k < end; k += Widest::width) {
       std::uint32_t considered = end - k < Widest::width ? (1u << (end - k)) - 1 : (1u << Widest::width) - 1;
       if (self >= k && self < k + Widest::width) considered &= ~(1u << (self - k));
@@ -116,9 +116,9 @@ void NeighbourList::search_one(std::size_t place, Found& found) const {
       to += Widest::write_indices(near, k, to);
       any_across = any_across || any(near & across);
     }
-    found.neighbours.resize(static_cast<std::size_t>(to - found.neighbours.data()));
+    found.used = static_cast<std::size_t>(to - found.neighbours.data());
   });
-  found.end.push_back(static_cast<std::int32_t>(found.neighbours.size()));
+  found.end.push_back(static_cast<std::int32_t>(found.used));
   found.images.push_back(any_across);
 }
 
@@ -129,7 +129,7 @@ void NeighbourList::search() {
 #pragma omp parallel for schedule(dynamic) num_threads(useful_threads(n))
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     Found& found = found_[b];
-    found.neighbours.clear();
+    found.used = 0;
     found.end.clear();
     found.images.clear();
     const std::size_t begin = b * search_block;

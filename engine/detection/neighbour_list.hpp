@@ -76,7 +76,8 @@ class NeighbourList {
  private:
   /// What the search finds for particles first..last of the grid's order.
   struct Found {
-    std::vector<std::int32_t> neighbours;  ///< by place in the order, one particle after the other
+    std::vector<std::int32_t> neighbours;  ///< by place in the order, one particle after the other; then room to spare
+    std::size_t used = 0;                  ///< of neighbours
     std::vector<std::int32_t> end;         ///< of each particle's neighbours
     std::vector<std::uint8_t> images;      ///< whether one is across a periodic side
   };

@@ -56,7 +56,6 @@ class NewtonianStep final : public Dynamics {
   }
 
  private:
-  static constexpr int blocks_per_turn = 4;
   /// How far ahead of their use rows are asked for [slots]: neighbours are read about a column of cells ahead.
   static constexpr std::int32_t rows_read_ahead = 1024, rows_written_ahead = 64;
 
@@ -101,7 +100,7 @@ class NewtonianStep final : public Dynamics {
   StepSums advance_all(Particles& particles, const StepInput& input, Recorder* recorder) {
     const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
     results_.resize(list_.blocks().size());
-#pragma omp parallel for schedule(dynamic, blocks_per_turn) num_threads(useful_threads(particles.size()))
+#pragma omp parallel for schedule(dynamic) num_threads(useful_threads(particles.size()))
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       results_[b] = {};
       advance_block<record, alike>(particles, b, input, recorder);

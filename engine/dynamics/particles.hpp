@@ -61,6 +61,9 @@ struct Particles {
   std::vector<std::int32_t> material;
   std::size_t count = 0;  ///< particles, not slots
 
+  AlignedVector<double> spare_numbers;       ///< for reorder
+  std::vector<std::int32_t> spare_integers;  ///< for reorder
+
   std::size_t size() const { return count; }
   std::size_t slots() const { return id.size(); }
   bool turns() const { return !now.spins.empty(); }
