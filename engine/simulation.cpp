@@ -144,6 +144,7 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   account.kinetic = kinetic;
   account.elastic = sums.elastic;
   const double time = time_at(number);
+  monitor_.check_positions(particles_, time);
   monitor_.check_energy(account, time);
   if (number == steps_) monitor_.check_account(account, warnings_);
   if (events.history) {

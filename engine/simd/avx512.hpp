@@ -81,7 +81,8 @@ struct Avx512 {
   static double lane(Real x, int k) { return x.v[k]; }
   static Mask mask(std::uint32_t lanes) { return {static_cast<__mmask8>(lanes)}; }
   static Real gather(const double* table, const std::int32_t* index) {
-    return _mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), table, sizeof(double));
+    const auto at = [&](int k) { return table[index[k]]; };
+    return _mm512_setr_pd(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
   }
 
   template <int columns>
@@ -106,7 +107,7 @@ struct Avx512 {
     const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11),
                   high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
     const auto write = [&](int k, __m512d even_or_odd_rows) {
-      _mm256_storeu_pd(rows + stride * k, _mm512_castpd512_pd256(even_or_odd_rows));
+      _mm256_storeu_pd(rows + stride * k, __builtin_shufflevector(even_or_odd_rows, even_or_odd_rows, 0, 1, 2, 3));
       _mm256_storeu_pd(rows + stride * (k + 2), _mm512_maskz_extractf64x4_pd(all, even_or_odd_rows, 1));
     };
     write(0, _mm512_permutex2var_pd(xy_even, low, zw_even));

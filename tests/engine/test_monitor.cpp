@@ -64,7 +64,8 @@ TEST_CASE("a position or an energy that is not a number is reported") {
                                              {Vec3::Zero(), Vec3::Zero()},
                                              {Vec3::Zero(), Vec3::Zero()},
                                              {0.02, 0.02},
-                                             {0, 1}});
+                                             {0, 1},
+                                             ""});
   CHECK_THROWS_WITH(monitor.check_positions(p, 0.5), Contains("t = 0.5 s") && Contains("particle 1 (heavy)"));
   EnergyAccount account;
   account.kinetic = std::nan("");

@@ -50,6 +50,20 @@ TEST_CASE("one, two and three threads write the same bytes") {
   CHECK(read_text_file(folder / "1/history.csv") == read_text_file(folder / "2/history.csv"));
 }
 
+TEST_CASE("how often a run is recorded does not change it") {
+  const std::vector<std::string> set = GENERATE(std::vector<std::string>{}, with_friction);
+  std::vector<std::string> often = set, seldom = set;
+  often.push_back("output.history_interval=0.1 ms");
+  seldom.push_back("output.history_interval=20 ms");
+  const testing::TemporaryFolder folder;
+  run_into(folder / "often", often, 1);
+  run_into(folder / "seldom", seldom, 1);
+  const Snapshot a = RunReader(folder / "often").snapshot(4), b = RunReader(folder / "seldom").snapshot(4);
+  REQUIRE(a.id == b.id);
+  CHECK(a.position == b.position);
+  CHECK(a.fields.at("velocity").values == b.fields.at("velocity").values);
+}
+
 TEST_CASE("the run folder holds the run") {
   const testing::TemporaryFolder folder;
   const RunRecord record = run_into(folder / "run", with_friction, 2);
