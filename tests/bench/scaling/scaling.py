@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Cost of a particle and step over the number of particles, the ratio of sizes and the threads. See ../README.md.
 
-Packings are jammed without gravity by growth, at a packing fraction that gives every one about six contacts a particle:
-equal spheres in a small periodic box, tiled to any number; large spheres among small ones in a box of six walls.
+Packings are jammed without gravity by growth: equal spheres in a small periodic box, tiled to any number; large spheres
+among small ones in a box of six walls.
 """
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ import numpy as np
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 RADIUS = 0.005  # of the small spheres [m]
 TILE = 8000  # spheres of the periodic packing
-FRACTION = 0.65  # solid volume over the box's: a little beyond random close packing
+FRACTION = 0.639  # solid volume over the box's: about random close packing, and just what growth accepts
 PARTICLE_STEPS = 1.5e9  # of a timed run: tens of seconds
 LEAST_STEPS, MOST_STEPS = 400, 40000
 
