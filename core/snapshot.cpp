@@ -289,6 +289,17 @@ void check_indices(const hdf5::Reader& file, const Snapshot& s) {
 
 }  // namespace
 
+void Contacts::append(const Contacts& more) {
+  const auto extend = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  extend(first, more.first);
+  extend(second, more.second);
+  extend(force, more.force);
+  extend(normal, more.normal);
+  extend(overlap, more.overlap);
+  extend(point, more.point);
+  extend(sliding, more.sliding);
+}
+
 double Snapshot::mass(std::size_t row) const { return groups[type[row]].density * sphere_volume(radius[row]); }
 
 std::map<std::int64_t, std::size_t> Snapshot::rows_by_id() const {

@@ -32,6 +32,7 @@ struct Contacts {
   std::vector<std::uint8_t> sliding;  ///< 1 where friction is at its Coulomb limit
 
   std::size_t size() const { return first.size(); }
+  void append(const Contacts& more);
 };
 
 /// A plane wall as the snapshot records it: enough to draw it and to measure against it.

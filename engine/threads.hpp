@@ -11,9 +11,6 @@ namespace packstone::engine {
 /// A step of fewer particles than this takes less time than waking a further thread.
 inline constexpr std::size_t particles_per_thread = 500;
 
-/// Particles that one thread takes in one go; sums over a block are made in order, whoever makes them.
-inline constexpr std::size_t particles_per_block = 128;
-
 inline int useful_threads(std::size_t particles) {
   const auto worth = static_cast<int>(std::min<std::size_t>(particles / particles_per_thread + 1, 1 << 16));
   return std::min(omp_get_max_threads(), worth);

@@ -31,7 +31,6 @@ class HierarchicalGrid {
   const VectorArray& position() const { return position_; }
   const AlignedVector<double>& extent() const { return extent_; }
   double largest_extent() const { return levels_.empty() ? 0 : levels_.back().extent; }
-  std::size_t levels() const { return levels_.size(); }
 
   /// Lanes that a reader may run over the end.
   static constexpr std::size_t padding = 8;

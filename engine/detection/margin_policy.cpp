@@ -8,10 +8,9 @@ namespace packstone::engine {
 
 namespace {
 
-/// Measured (docs/performance.md): a margin of one radius lengthens a step by this share.
-constexpr double step_share_per_radius = 1.4;
-/// Building the list takes as long as this many steps.
-constexpr double steps_per_build = 8;
+// Measured in a settled bed of equal spheres, docs/performance.md; only their ratio decides.
+constexpr double step_share_per_radius = 2.2;  ///< by which margins of one radius lengthen the list, and so a step
+constexpr double steps_per_build = 13;         ///< that take as long as building the list
 constexpr double least_size_share = 0.01;
 constexpr double largest_size_share = 0.4;
 constexpr double first_size_share = 0.05;

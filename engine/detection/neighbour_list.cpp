@@ -28,7 +28,7 @@ constexpr std::int32_t longest_common_row = 32;
 /// Rows of a block of groups: enough work to be worth fetching.
 constexpr std::int32_t rows_per_block = 256;
 
-std::uint32_t entry(std::int32_t slot) { return static_cast<std::uint32_t>(slot) * NeighbourList::doubles_per_row; }
+std::uint32_t entry(std::int32_t slot) { return static_cast<std::uint32_t>(slot) * Row::doubles; }
 
 std::int32_t rows_for(std::int32_t entries, int width) { return (entries + width - 1) / width; }
 
@@ -262,13 +262,6 @@ void NeighbourList::moved(double largest_share_squared, const Vec3& displacement
 bool NeighbourList::outdated(const Growth& growth) const {
   if (builds_ == 0 || !(used_squared_ < 1) || growth.scale > largest_scale_) return true;
   return policy_.worth_renewing(std::sqrt(used_squared_), steps_, dt_);
-}
-
-std::size_t NeighbourList::bytes() const {
-  std::size_t found = 0;
-  for (const Found& f : found_) found += sizeof(std::int32_t) * (f.neighbours.capacity() + f.end.capacity());
-  return found + sizeof(std::int32_t) * (entries_.capacity() + slot_of_.capacity() + place_of_.capacity()) +
-         sizeof(double) * (8 * reference_.x.capacity() + 5 * position_.x.capacity());
 }
 
 }  // namespace packstone::engine

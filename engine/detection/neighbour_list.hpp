@@ -31,8 +31,6 @@ struct GroupBlock {
 
 class NeighbourList {
  public:
-  static constexpr std::uint32_t doubles_per_row = sizeof(Row) / sizeof(double);
-
   /// width: lanes of a group. Periodic sides must be at least least_periodic_side wide.
   NeighbourList(const Domain& domain, int width) : domain_(domain), width_(width) {}
 
@@ -56,7 +54,7 @@ class NeighbourList {
   /// A row's neighbours, one a lane, as places in the array of Rows counted in doubles, which is what vector loads
   /// want; that of Particles::nobody where there is none.
   const std::uint32_t* row(std::int64_t row) const { return entries_.data() + row * width_; }
-  static std::int32_t slot(std::uint32_t entry) { return static_cast<std::int32_t>(entry / doubles_per_row); }
+  static std::int32_t slot(std::uint32_t entry) { return static_cast<std::int32_t>(entry / Row::doubles); }
   std::int64_t rows() const { return static_cast<std::int64_t>(entries_.size()) / width_; }
   /// Neighbours, each pair counted twice.
   std::int64_t pairs() const { return pairs_; }
@@ -71,7 +69,6 @@ class NeighbourList {
 
   /// How often the list was built.
   std::int64_t builds() const { return builds_; }
-  std::size_t bytes() const;
 
  private:
   /// What the search finds for particles first..last of the grid's order.

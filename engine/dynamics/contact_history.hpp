@@ -52,9 +52,6 @@ class Springs {
     for (int axis = 0; axis < 3; ++axis) at[axis * width_] = spring[axis];
     touched_[row] = static_cast<std::uint16_t>(touched_[row] | 1u << lane);
   }
-  std::size_t bytes() const {
-    return values_.capacity() * sizeof(double) + touched_.capacity() * sizeof(std::uint16_t);
-  }
 
  private:
   std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }

@@ -1,6 +1,7 @@
 // The particles' state, in slots that follow the neighbour list: neighbours in space lie close in memory.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,19 +27,24 @@ struct VectorArray {
 
 /// What a contact sees of a particle: one cache line.
 struct alignas(64) Row {
+  static constexpr std::uint32_t doubles = 8, velocity_at = 4;  ///< for reading columns of numbers out of rows
+
   Vec3 position = Vec3::Zero();  ///< [m]; leaves the box along periodic axes until the list is built anew
   double radius = 0;             ///< at full size [m]
   Vec3 velocity = Vec3::Zero();  ///< [m/s]
   double inverse_mass = 0;       ///< at full size [1/kg]
 };
-static_assert(sizeof(Row) == 8 * sizeof(double));
+static_assert(sizeof(Row) == Row::doubles * sizeof(double));
+static_assert(offsetof(Row, velocity) == Row::velocity_at * sizeof(double));
 
 /// How it turns; where anything does.
 struct alignas(32) Spin {
+  static constexpr std::uint32_t doubles = 4;
+
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
   double unused = 0;
 };
-static_assert(sizeof(Spin) == 4 * sizeof(double));
+static_assert(sizeof(Spin) == Spin::doubles * sizeof(double));
 
 /// One instant; kept twice, one read while the other is written.
 struct Kinematics {

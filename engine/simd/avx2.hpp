@@ -10,6 +10,8 @@
 
 #include <immintrin.h>
 
+#include "engine/simd/arithmetic.hpp"
+
 namespace packstone::engine::simd {
 
 struct Avx2 {
@@ -25,21 +27,13 @@ struct Avx2 {
     friend std::uint32_t bits(Mask m) { return static_cast<std::uint32_t>(_mm256_movemask_pd(m.lanes)); }
   };
 
-  struct Real {
+  struct Real : Arithmetic<Real> {
     __m256d v;
 
     Real() = default;
     Real(double x) : v(_mm256_set1_pd(x)) {}
     Real(__m256d x) : v(x) {}
 
-    friend Real operator+(Real a, Real b) { return _mm256_add_pd(a.v, b.v); }
-    friend Real operator-(Real a, Real b) { return _mm256_sub_pd(a.v, b.v); }
-    friend Real operator*(Real a, Real b) { return _mm256_mul_pd(a.v, b.v); }
-    friend Real operator/(Real a, Real b) { return _mm256_div_pd(a.v, b.v); }
-    friend Real operator-(Real a) { return _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)); }
-    Real& operator+=(Real b) { return *this = *this + b; }
-    Real& operator-=(Real b) { return *this = *this - b; }
-    Real& operator*=(Real b) { return *this = *this * b; }
     friend Mask operator<(Real a, Real b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)}; }
     friend Mask operator>(Real a, Real b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
 
@@ -49,7 +43,6 @@ struct Avx2 {
     friend Real only(Mask m, Real x) { return _mm256_and_pd(m.lanes, x.v); }
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm256_max_pd(a.v, b.v); }
-    friend Real smaller(Real a, Real b) { return _mm256_min_pd(a.v, b.v); }
     friend Real absolute(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
     friend Real nearest_integer(Real a) { return _mm256_round_pd(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
     friend Real inverse_sqrt(Real x) { return Real(1.0) / Real(_mm256_sqrt_pd(x.v)); }

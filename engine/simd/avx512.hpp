@@ -10,6 +10,8 @@
 
 #include <immintrin.h>
 
+#include "engine/simd/arithmetic.hpp"
+
 namespace packstone::engine::simd {
 
 struct Avx512 {
@@ -29,21 +31,13 @@ struct Avx512 {
     friend std::uint32_t bits(Mask m) { return m.bits; }
   };
 
-  struct Real {
+  struct Real : Arithmetic<Real> {
     __m512d v;
 
     Real() = default;
     Real(double x) : v(_mm512_set1_pd(x)) {}
     Real(__m512d x) : v(x) {}
 
-    friend Real operator+(Real a, Real b) { return _mm512_add_pd(a.v, b.v); }
-    friend Real operator-(Real a, Real b) { return _mm512_sub_pd(a.v, b.v); }
-    friend Real operator*(Real a, Real b) { return _mm512_mul_pd(a.v, b.v); }
-    friend Real operator/(Real a, Real b) { return _mm512_div_pd(a.v, b.v); }
-    friend Real operator-(Real a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)); }
-    Real& operator+=(Real b) { return *this = *this + b; }
-    Real& operator-=(Real b) { return *this = *this - b; }
-    Real& operator*=(Real b) { return *this = *this * b; }
     friend Mask operator<(Real a, Real b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
     friend Mask operator>(Real a, Real b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
 
@@ -53,7 +47,6 @@ struct Avx512 {
     friend Real only(Mask m, Real x) { return _mm512_maskz_mov_pd(m.bits, x.v); }
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm512_maskz_max_pd(all, a.v, b.v); }
-    friend Real smaller(Real a, Real b) { return _mm512_maskz_min_pd(all, a.v, b.v); }
     friend Real absolute(Real a) { return _mm512_abs_pd(a.v); }
     friend Real nearest_integer(Real a) {
       return _mm512_maskz_roundscale_pd(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);

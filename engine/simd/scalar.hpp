@@ -25,7 +25,6 @@ inline double select(bool mask, double yes, double no) { return mask ? yes : no;
 inline double only(bool mask, double x) { return mask ? x : 0.0; }
 /// b where either is not a number.
 inline double larger(double a, double b) { return a > b ? a : b; }
-inline double smaller(double a, double b) { return std::min(a, b); }
 inline double absolute(double a) { return std::abs(a); }
 inline double nearest_integer(double a) { return std::nearbyint(a); }
 /// 1/sqrt(x), to the last bit or two.

@@ -1,0 +1,151 @@
+// What contacts do to the bodies that touch, several contacts side by side, whatever lists found them.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
+#include "engine/contact/pair_table.hpp"
+#include "engine/dynamics/contact_history.hpp"
+#include "engine/dynamics/lane_sums.hpp"
+#include "engine/dynamics/step.hpp"
+#include "engine/simd/vector.hpp"
+
+namespace packstone::engine {
+
+/// Some particles side by side, as a contact sees them.
+template <class L>
+struct Bodies {
+  using Real = typename L::Real;
+  simd::Vector<Real> position;  ///< [m]
+  Real radius;                  ///< at full size; 0 for a wall [m]
+  simd::Vector<Real> velocity;
+  Real inverse_mass;  ///< 0 for a wall [1/kg]
+  simd::Vector<Real> angular_velocity;
+};
+
+template <class L>
+struct Loads {
+  simd::Vector<typename L::Real> force, torque;
+};
+
+/// Contacts of each lane with one body.
+template <class L>
+struct Place {
+  using Real = typename L::Real;
+  typename L::Mask touching;
+  simd::Vector<Real> separation;  ///< from the second body to the first
+  Real inverse_distance;          ///< 1/|separation|
+  Real overlap;
+};
+
+/// One lane as a vector of numbers.
+template <class L>
+Vec3 lane_of(const simd::Vector<typename L::Real>& v, int lane) {
+  return {L::lane(v.x, lane), L::lane(v.y, lane), L::lane(v.z, lane)};
+}
+
+template <class Normal, class Tangential>
+class ContactForces {
+ public:
+  explicit ContactForces(const std::vector<MaterialSpec>& materials) : normal_(materials), tangential_(materials) {}
+
+  /// The material that contacts between alike particles have on both sides.
+  void set_material_of_alike(std::int32_t material) {
+    pair_of_alike_ = static_cast<std::size_t>(material) * (normal_.materials() + 1);
+  }
+
+  /// Adds the forces and torques of some contacts on the first bodies. materials(lane), who(lane): pairs of materials
+  /// and of ids, -1-k for boundary k.
+  template <bool record, bool alike, class L, class Materials, class Who>
+  [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at, Springs& springs,
+                                  std::int64_t row, const Materials& materials, const Who& who, const StepInput& in,
+                                  Recorder* recorder, Loads<L>& loads, ContactSums<typename L::Real>& sums,
+                                  BlockResult& result) const {
+    using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
+    using Real = typename L::Real;
+    const simd::Vector<Real> relative = first.velocity - second.velocity;
+    const Real growth_rate = Real(in.growth.rate) * (first.radius + second.radius);
+    const Real rate = fused(-at.inverse_distance, dot(relative, at.separation), growth_rate);
+    const auto law = parameters<alike, L>(normal_, materials);
+    const NormalForce<Real> normal = Normal::force(law, at.overlap, rate, first.inverse_mass + second.inverse_mass);
+    const Real total = normal.total();
+    loads.force = fused_where(at.touching, total * at.inverse_distance, at.separation, loads.force);
+    sums.damping_power = fused_where(at.touching, normal.damping, rate, sums.damping_power);
+    if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, total, growth_rate, sums.growth_power);
+    sums.deepest = larger(fused(Real(-in.overlap_limit), first.radius, at.overlap), sums.deepest);
+    [[maybe_unused]] const simd::Vector<Real> n = at.inverse_distance * at.separation;
+    [[maybe_unused]] simd::Vector<Real> tangential_force = simd::Vector<Real>::zero();
+    [[maybe_unused]] std::uint32_t sliding = 0;
+    [[maybe_unused]] Real elastic = Normal::energy(law, at.overlap);
+    if constexpr (Tangential::active) {
+      // Lever arms at the instant's radii; the sum has the same bits seen from either body.
+      const simd::Vector<Real> spin =
+          Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
+      const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
+      const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
+      simd::Vector<Real> spring = springs.load<L>(row);
+      const auto friction =
+          Tangential::advance(parameters<alike, L>(tangential_, materials), spring, n, sliding_velocity, total, in.dt);
+      springs.store<L>(row, at.touching, spring);
+      tangential_force = only(at.touching, friction.force);
+      loads.force += tangential_force;
+      loads.torque -= Real(in.growth.scale) * first.radius * only(at.touching, cross(n, tangential_force));
+      sums.sliding_loss += only(at.touching, friction.dissipated);
+      elastic += friction.elastic;
+      sliding = bits(friction.sliding);
+    }
+    if constexpr (record) {
+      sums.elastic += only(at.touching, elastic);
+      for (std::uint32_t lanes = bits(at.touching); lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const auto [a, b] = who(lane);
+        const Vec3 direction = lane_of<L>(n, lane);
+        const double overlap = L::lane(at.overlap, lane), radius = L::lane(first.radius, lane);
+        result.sums.largest_overlap_share = std::max(result.sums.largest_overlap_share, overlap / radius);
+        if (b >= 0 && b < a) continue;
+        ++(b < 0 ? result.sums.wall_contacts : result.sums.particle_contacts);
+        if (!recorder->want_contacts) continue;
+        Contacts& c = result.contacts;
+        c.first.push_back(a);
+        c.second.push_back(b);
+        c.force.push_back(L::lane(total, lane) * direction + lane_of<L>(tangential_force, lane));
+        c.normal.push_back(direction);
+        c.overlap.push_back(overlap);
+        c.point.push_back(lane_of<L>(first.position, lane) - (in.growth.scale * radius - 0.5 * overlap) * direction);
+        c.sliding.push_back((sliding >> lane & 1u) != 0);
+      }
+    }
+  }
+
+ private:
+  /// A law's parameters for each lane's pair of materials.
+  template <bool alike, class L, class Law, class Materials>
+  [[gnu::always_inline]] auto parameters(const PairTable<Law>& table, const Materials& materials) const {
+    using Real = typename L::Real;
+    using Parameters = typename Law::template Parameters<Real>;
+    if (alike || table.materials() == 1) {
+      return Parameters::from([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
+    }
+    return looked_up<L>(table, materials);
+  }
+
+  /// Kept out of the loop, whose registers it would take.
+  template <class L, class Law, class Materials>
+  [[gnu::noinline]] static auto looked_up(const PairTable<Law>& table, const Materials& materials) {
+    using Parameters = typename Law::template Parameters<typename L::Real>;
+    std::int32_t pair[L::width];
+    for (int lane = 0; lane < L::width; ++lane) {
+      const auto [a, b] = materials(lane);
+      pair[lane] = a * static_cast<std::int32_t>(table.materials()) + b;
+    }
+    return Parameters::from([&](int k) { return L::gather(table.table(k), pair); });
+  }
+
+  PairTable<Normal> normal_;
+  PairTable<Tangential> tangential_;
+  std::size_t pair_of_alike_ = 0;
+};
+
+}  // namespace packstone::engine

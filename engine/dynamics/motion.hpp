@@ -1,0 +1,86 @@
+// Newton's equations, Zhong et al., Acta Phys. Sin. 58 (2009), eqs [1], [2], by the leapfrog scheme:
+//   v(n+1/2) = v(n-1/2) + dt a(n),   x(n+1) = x(n) + dt v(n+1/2).
+// Contacts of the next instant see v(n+1/2) + lead a(n): with a lead of dt/2 an estimate of v(n+1) of second order,
+// with none the lagging half-step velocity (ContactVelocity; docs/physics.md).
+#pragma once
+
+#include <algorithm>
+
+#include "engine/detection/neighbour_list.hpp"
+#include "engine/dynamics/contact_forces.hpp"
+#include "engine/dynamics/lane_sums.hpp"
+#include "engine/dynamics/particles.hpp"
+#include "engine/dynamics/step.hpp"
+
+namespace packstone::engine {
+
+/// Moves the particles of a group, one a lane, from instant n to n+1, and tells sums how far they are from where the
+/// list was built.
+template <bool record, bool turning, class L>
+[[gnu::always_inline]] inline void move(Particles& p, const NeighbourList& list, const NeighbourGroup& group,
+                                        const Bodies<L>& self, const Loads<L>& loads, typename L::Mask occupied,
+                                        const StepInput& in, Recorder* recorder, LaneSums<L>& sums) {
+  using simd::larger;
+  using Real = typename L::Real;
+  using Vector = simd::Vector<Real>;
+  const auto load = [&](const VectorArray& v) {
+    return Vector{L::load(&v.x[group.slot]), L::load(&v.y[group.slot]), L::load(&v.z[group.slot])};
+  };
+  const auto store = [&](VectorArray& to, const Vector& v) {
+    L::store(&to.x[group.slot], v.x);
+    L::store(&to.y[group.slot], v.y);
+    L::store(&to.z[group.slot], v.z);
+  };
+  const Real dt(in.dt);
+  const Vector gravity{Real(in.gravity[0]), Real(in.gravity[1]), Real(in.gravity[2])};
+  const Vector before = load(p.half_velocity);
+  const Vector acceleration = fused(self.inverse_mass, loads.force, gravity);
+  const Vector half = fused(dt, acceleration, before);
+  const Vector position = fused(dt, half, self.position);
+  const Vector velocity = fused(Real(in.velocity_lead), acceleration, half);
+  store(p.half_velocity, half);
+  double* row = reinterpret_cast<double*>(&p.next.rows[group.slot]);
+  const Real low[4] = {position.x, position.y, position.z, self.radius};
+  const Real high[4] = {velocity.x, velocity.y, velocity.z, self.inverse_mass};
+  L::template write_columns<Row::doubles>(row, low);
+  L::template write_columns<Row::doubles>(row + Row::velocity_at, high);
+
+  const Real mass = L::load(&p.mass[group.slot]);
+  sums.momentum = fused(mass, half, sums.momentum);
+  const Vector moved = position - load(list.reference());
+  sums.displacement += only(occupied, moved);
+  const Vec3 common = list.expected_displacement();
+  const Vector deviation = moved - Vector{Real(common[0]), Real(common[1]), Real(common[2])};
+  const Real share = squared_length(deviation) * L::load(&list.inverse_margin_squared()[group.slot]);
+  sums.largest_share_squared = larger(sums.largest_share_squared, share);
+  sums.within_margins = sums.within_margins & (share < Real(1.0));
+
+  [[maybe_unused]] Vector half_turn_before = Vector::zero(), angular_acceleration = Vector::zero();
+  if constexpr (turning) {
+    half_turn_before = load(p.half_angular_velocity);
+    angular_acceleration = L::load(&p.inverse_inertia[group.slot]) * loads.torque;
+    const Vector half_turn = fused(dt, angular_acceleration, half_turn_before);
+    store(p.half_angular_velocity, half_turn);
+    const Vector turn = fused(Real(in.velocity_lead), angular_acceleration, half_turn);
+    const Real spin[4] = {turn.x, turn.y, turn.z, Real(0.0)};
+    L::template write_columns<Spin::doubles>(reinterpret_cast<double*>(&p.next.spins[group.slot]), spin);
+  }
+  if constexpr (record) {
+    for (int k = 0; k < L::width; ++k) {
+      const std::size_t slot = static_cast<std::size_t>(group.slot) + k;
+      if ((group.lanes >> k & 1u) == 0) continue;
+      const Vec3 a = lane_of<L>(acceleration, k), v = lane_of<L>(before, k) + 0.5 * in.dt * a;
+      sums.recorded.kinetic_translational += 0.5 * p.mass[slot] * v.squaredNorm();
+      sums.recorded.largest_speed_squared = std::max(sums.recorded.largest_speed_squared, v.squaredNorm());
+      recorder->velocity[p.id[slot]] = v;
+      recorder->force[p.id[slot]] = p.mass[slot] * a;
+      if constexpr (turning) {
+        const Vec3 turn = lane_of<L>(half_turn_before, k) + 0.5 * in.dt * lane_of<L>(angular_acceleration, k);
+        sums.recorded.kinetic_rotational += 0.5 / p.inverse_inertia[slot] * turn.squaredNorm();
+        recorder->angular_velocity[p.id[slot]] = turn;
+      }
+    }
+  }
+}
+
+}  // namespace packstone::engine
