@@ -41,6 +41,11 @@ std::string Monitor::overlap_advice(double time) const {
                      time < scene_.filling.over() ? "lengthen filling.duration, " : "", step_advice());
 }
 
+bool Monitor::pulled_back(int face) const {
+  const double outward = (face % 2 ? 1 : -1) * scene_.gravity.acceleration[face / 2];
+  return scene_.gravity.present && outward < 0;
+}
+
 void Monitor::check_positions(const Particles& particles, double time) const {
   const Vec3 side = domain_.size();
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) {
@@ -55,11 +60,12 @@ void Monitor::check_positions(const Particles& particles, double time) const {
       for (const int face : {2 * axis, 2 * axis + 1}) {
         const double beyond = face % 2 ? p[axis] - domain_.max[axis] : domain_.min[axis] - p[axis];
         const bool open = std::count(scene_.domain.open.begin(), scene_.domain.open.end(), face) > 0;
+        if (open && pulled_back(face)) continue;
         if (beyond <= (open ? side[axis] : 0)) continue;
         throw RunError(fmt::format(
             "t = {:.6g} s: {} left the domain through the face {} at {}; {}", time, particle(scene_, particles, slot),
             face_names[face], place(p),
-            open ? "it is more than a domain's length away and will not come back; close the face with a boundary"
+            open ? "it is more than a domain's length away and nothing pulls it back; close the face with a boundary"
                  : fmt::format("add a boundary there, enlarge the domain, or list \"{}\" in domain.open; if it went "
                                "through a boundary: {}",
                                face_names[face], step_advice())));

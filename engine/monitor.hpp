@@ -45,6 +45,8 @@ class Monitor {
   void check_account(const EnergyAccount& account, std::vector<std::string>& warnings) const;
 
  private:
+  /// Gravity brings back what leaves through this open face.
+  bool pulled_back(int face) const;
   std::string step_advice() const;
   std::string overlap_advice(double time) const;
 

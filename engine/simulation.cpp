@@ -43,6 +43,16 @@ double solid_share(const Snapshot& s) {
   return solid / s.domain.size().prod();
 }
 
+/// The scene with "auto" replaced.
+Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
+  scene.dynamics.time_step = dt;
+  if (scene.dynamics.contact_velocity == ContactVelocity::automatic) {
+    const bool damped_beyond = scene.contact.normal == NormalModel::linear && !rotates(scene) && dt > limit.recommended;
+    scene.dynamics.contact_velocity = damped_beyond ? ContactVelocity::half_step : ContactVelocity::step;
+  }
+  return scene;
+}
+
 std::vector<double> flattened(const std::vector<Vec3>& rows) {
   std::vector<double> values;
   values.reserve(3 * rows.size());
@@ -55,23 +65,17 @@ std::vector<double> flattened(const std::vector<Vec3>& rows) {
 Simulation::Simulation(const Scene& scene) : Simulation(scene, fill(scene, scene.box(), make_planes(scene))) {}
 
 Simulation::Simulation(const Scene& scene, const StartingState& start)
-    : scene_(scene),
+    : population_(population_of(scene, start)),
+      limit_(step_limit(scene, population_)),
+      dt_(checked_time_step(scene, limit_, warnings_)),
+      scene_(with_choices_made(scene, dt_, limit_)),
       domain_(scene.box()),
       filling_hash_(start.source_hash),
       planes_(make_planes(scene)),
-      population_(population_of(scene, start)),
-      limit_(step_limit(scene, population_)),
-      dt_(checked_time_step(scene, limit_, warnings_)),
-      particles_(make_particles(scene, start)),
+      particles_(make_particles(scene_, start)),
       dynamics_(make_newtonian(scene, domain_, planes_)),
       monitor_(scene_, domain_, dt_, limit_.recommended) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
-  scene_.dynamics.time_step = dt_;
-  if (scene_.dynamics.contact_velocity == ContactVelocity::automatic) {
-    const bool damped_beyond =
-        scene.contact.normal == NormalModel::linear && !rotates(scene) && dt_ > limit_.recommended;
-    scene_.dynamics.contact_velocity = damped_beyond ? ContactVelocity::half_step : ContactVelocity::step;
-  }
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
   steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));

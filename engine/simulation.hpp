@@ -65,16 +65,16 @@ class Simulation {
   /// Position, radius, container: what every snapshot and the bed's measure need.
   Snapshot geometry(std::int64_t number) const;
 
+  std::vector<std::string> warnings_;
+  Population population_;
+  StepLimit limit_;
+  double dt_ = 0;
   Scene scene_;
   Domain domain_;
   std::string scene_text_;
   std::string scene_hash_;
   std::string filling_hash_;
   std::vector<Plane> planes_;
-  std::vector<std::string> warnings_;
-  Population population_;
-  StepLimit limit_;
-  double dt_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t steps_done_ = 0;
   double loop_seconds_ = 0;

@@ -39,8 +39,9 @@ struct CundallStrack {
   /// velocity [m/s] in the contact plane; so the force is of second order in dt. Swapping the bodies negates normal,
   /// velocity and spring, and gives exactly the negated force.
   template <class T>
-  static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring, const simd::Vector<T>& normal,
-                          const simd::Vector<T>& sliding_velocity, const T& normal_force, double dt) {
+  [[gnu::always_inline]] static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring,
+                                                 const simd::Vector<T>& normal, const simd::Vector<T>& sliding_velocity,
+                                                 const T& normal_force, double dt) {
     using simd::absolute, simd::any, simd::fused, simd::inverse_sqrt, simd::only, simd::select, simd::squared_length;
     const T squared = squared_length(spring);
     simd::Vector<T> now = fused(-dot(spring, normal), normal, spring);

@@ -24,10 +24,17 @@ struct Hysteretic {
     }
   };
 
-  /// overlap [m] > 0; rate of overlap [m/s]; the masses do not enter.
   template <class T>
-  static NormalForce<T> force(const Parameters<T>& pair, const T& overlap, const T& rate,
-                              const T& /*inverse_mass_sum*/) {
+  using Coefficients = Parameters<T>;
+  /// The masses do not enter.
+  template <class T>
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const T& /*inverse_mass_sum*/) {
+    return pair;
+  }
+
+  /// overlap [m] > 0; rate of overlap [m/s].
+  template <class T>
+  [[gnu::always_inline]] static NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate) {
     using simd::only;
     const T elastic = pair.stiffness * overlap;
     const T damping = pair.damping * elastic;
@@ -36,7 +43,7 @@ struct Hysteretic {
 
   /// Stored energy [J].
   template <class T>
-  static T energy(const Parameters<T>& pair, const T& overlap) {
+  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap) {
     return T(0.5) * pair.stiffness * overlap * overlap;
   }
 };

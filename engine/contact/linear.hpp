@@ -28,19 +28,31 @@ struct Linear {
     }
   };
 
-  /// overlap [m] > 0; rate of overlap [m/s]; 1/m_i + 1/m_j [1/kg].
+  /// Stiffness and dashpot of a pair of particles.
   template <class T>
-  static NormalForce<T> force(const Parameters<T>& pair, const T& overlap, const T& rate, const T& inverse_mass_sum) {
-    using simd::fused, simd::inverse_sqrt, simd::larger;
-    const T coefficient = fused(pair.damping_per_root_mass, inverse_sqrt(inverse_mass_sum), pair.damping);
-    const T elastic = pair.stiffness * overlap, damping = coefficient * rate;
+  struct Coefficients {
+    T stiffness;  ///< [N/m]
+    T damping;    ///< [N s/m]
+  };
+  /// inverse_mass_sum: 1/m_i + 1/m_j [1/kg].
+  template <class T>
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const T& inverse_mass_sum) {
+    using simd::fused, simd::inverse_sqrt;
+    return {pair.stiffness, fused(pair.damping_per_root_mass, inverse_sqrt(inverse_mass_sum), pair.damping)};
+  }
+
+  /// overlap [m] > 0; rate of overlap [m/s].
+  template <class T>
+  [[gnu::always_inline]] static NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate) {
+    using simd::larger;
+    const T elastic = pair.stiffness * overlap, damping = pair.damping * rate;
     if constexpr (release == Release::zero_force) return {elastic, larger(damping, -elastic)};
     return {elastic, damping};
   }
 
   /// Stored energy [J].
   template <class T>
-  static T energy(const Parameters<T>& pair, const T& overlap) {
+  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap) {
     return T(0.5) * pair.stiffness * overlap * overlap;
   }
 };

@@ -48,11 +48,11 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
   extent_.resize(n);
   margin_.resize(n);
   Vec3 mean = Vec3::Zero();
-  for (const std::int32_t s : slot_before_) mean += p.half_velocity.get(s) / static_cast<double>(n);
+  for (const std::int32_t s : slot_before_) mean += p.now.rows[s].velocity / static_cast<double>(n);
   std::vector<double> speed(n);
   double mean_speed = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    speed[k] = (p.half_velocity.get(slot_before_[k]) - mean).norm();
+    speed[k] = (p.now.rows[slot_before_[k]].velocity - mean).norm();
     mean_speed += speed[k] / p.now.rows[slot_before_[k]].radius / static_cast<double>(n);
   }
   displacement_.setZero();

@@ -56,29 +56,52 @@ class ContactForces {
     pair_of_alike_ = static_cast<std::size_t>(material) * (normal_.materials() + 1);
   }
 
-  /// Adds the forces and torques of some contacts on the first bodies. materials(lane), who(lane): pairs of materials
-  /// and of ids, -1-k for boundary k.
-  template <bool record, bool alike, class L, class Materials, class Who>
-  [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at, Springs& springs,
-                                  std::int64_t row, const Materials& materials, const Who& who, const StepInput& in,
-                                  Recorder* recorder, Loads<L>& loads, ContactSums<typename L::Real>& sums,
-                                  BlockResult& result) const {
+  /// What the laws know of a pair, apart from its contact.
+  template <class L>
+  struct Laws {
+    typename Normal::template Coefficients<typename L::Real> normal;
+    typename Tangential::template Parameters<typename L::Real> tangential;
+  };
+  /// Between alike particles. inverse_mass: of one [1/kg].
+  template <class L>
+  [[gnu::always_inline]] Laws<L> laws_of_alike(const typename L::Real& inverse_mass) const {
+    return {Normal::coefficients(common_parameters<L>(normal_), inverse_mass + inverse_mass),
+            common_parameters<L>(tangential_)};
+  }
+  /// materials(lane): of the pair. inverse_mass_sum: 1/m_i + 1/m_j [1/kg].
+  template <class L, class Materials>
+  [[gnu::always_inline]] Laws<L> laws(const Materials& materials, const typename L::Real& inverse_mass_sum) const {
+    return {Normal::coefficients(parameters<L>(normal_, materials), inverse_mass_sum),
+            parameters<L>(tangential_, materials)};
+  }
+
+  /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k.
+  /// Alike bodies do not grow; for them sums.deepest is the overlap itself.
+  template <bool record, bool alike, class L, class Who>
+  [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
+                                  const Laws<L>& laws, Springs& springs, std::int64_t row, const Who& who,
+                                  const StepInput& in, Recorder* recorder, Loads<L>& loads,
+                                  ContactSums<typename L::Real>& sums, BlockResult& result) const {
     using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
     using Real = typename L::Real;
     const simd::Vector<Real> relative = first.velocity - second.velocity;
-    const Real growth_rate = Real(in.growth.rate) * (first.radius + second.radius);
-    const Real rate = fused(-at.inverse_distance, dot(relative, at.separation), growth_rate);
-    const auto law = parameters<alike, L>(normal_, materials);
-    const NormalForce<Real> normal = Normal::force(law, at.overlap, rate, first.inverse_mass + second.inverse_mass);
+    const Real approach = at.inverse_distance * dot(relative, at.separation);
+    const Real growth_rate = alike ? Real(0.0) : Real(in.growth.rate) * (first.radius + second.radius);
+    const Real rate = alike ? -approach : growth_rate - approach;
+    const NormalForce<Real> normal = Normal::force(laws.normal, at.overlap, rate);
     const Real total = normal.total();
     loads.force = fused_where(at.touching, total * at.inverse_distance, at.separation, loads.force);
     sums.damping_power = fused_where(at.touching, normal.damping, rate, sums.damping_power);
-    if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, total, growth_rate, sums.growth_power);
-    sums.deepest = larger(fused(Real(-in.overlap_limit), first.radius, at.overlap), sums.deepest);
+    if constexpr (alike) {
+      sums.deepest = larger(at.overlap, sums.deepest);
+    } else {
+      sums.deepest = larger(fused(Real(-in.overlap_limit), first.radius, at.overlap), sums.deepest);
+      if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, total, growth_rate, sums.growth_power);
+    }
     [[maybe_unused]] const simd::Vector<Real> n = at.inverse_distance * at.separation;
     [[maybe_unused]] simd::Vector<Real> tangential_force = simd::Vector<Real>::zero();
     [[maybe_unused]] std::uint32_t sliding = 0;
-    [[maybe_unused]] Real elastic = Normal::energy(law, at.overlap);
+    [[maybe_unused]] Real elastic = Normal::energy(laws.normal, at.overlap);
     if constexpr (Tangential::active) {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
       const simd::Vector<Real> spin =
@@ -86,8 +109,7 @@ class ContactForces {
       const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
       simd::Vector<Real> spring = springs.load<L>(row);
-      const auto friction =
-          Tangential::advance(parameters<alike, L>(tangential_, materials), spring, n, sliding_velocity, total, in.dt);
+      const auto friction = Tangential::advance(laws.tangential, spring, n, sliding_velocity, total, in.dt);
       springs.store<L>(row, at.touching, spring);
       tangential_force = only(at.touching, friction.force);
       loads.force += tangential_force;
@@ -121,14 +143,17 @@ class ContactForces {
 
  private:
   /// A law's parameters for each lane's pair of materials.
-  template <bool alike, class L, class Law, class Materials>
+  template <class L, class Law, class Materials>
   [[gnu::always_inline]] auto parameters(const PairTable<Law>& table, const Materials& materials) const {
-    using Real = typename L::Real;
-    using Parameters = typename Law::template Parameters<Real>;
-    if (alike || table.materials() == 1) {
-      return Parameters::from([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
-    }
+    if (table.materials() == 1) return common_parameters<L>(table);
     return looked_up<L>(table, materials);
+  }
+
+  /// The same in all lanes.
+  template <class L, class Law>
+  [[gnu::always_inline]] auto common_parameters(const PairTable<Law>& table) const {
+    using Real = typename L::Real;
+    return Law::template Parameters<Real>::from([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
   }
 
   /// Kept out of the loop, whose registers it would take.

@@ -25,6 +25,15 @@ struct ContactSums {
   Real elastic = 0.0;                                       ///< recorded [J]
   Real deepest = -std::numeric_limits<double>::infinity();  ///< overlap beyond the limit [m]
 
+  void add(const ContactSums& other) {
+    using simd::larger;
+    damping_power += other.damping_power;
+    growth_power += other.growth_power;
+    sliding_loss += other.sliding_loss;
+    elastic += other.elastic;
+    deepest = larger(other.deepest, deepest);
+  }
+
   /// share: of these energies that is this side's.
   void add_to(StepSums& to, const StepInput& in, double share) const {
     using simd::sum;

@@ -33,12 +33,13 @@ template <bool record, bool turning, class L>
   };
   const Real dt(in.dt);
   const Vector gravity{Real(in.gravity[0]), Real(in.gravity[1]), Real(in.gravity[2])};
-  const Vector before = load(p.half_velocity);
+  const bool leads = !p.half_velocity.empty();
+  const Vector before = leads ? load(p.half_velocity) : self.velocity;
   const Vector acceleration = fused(self.inverse_mass, loads.force, gravity);
   const Vector half = fused(dt, acceleration, before);
   const Vector position = fused(dt, half, self.position);
   const Vector velocity = fused(Real(in.velocity_lead), acceleration, half);
-  store(p.half_velocity, half);
+  if (leads) store(p.half_velocity, half);
   double* row = reinterpret_cast<double*>(&p.next.rows[group.slot]);
   const Real low[4] = {position.x, position.y, position.z, self.radius};
   const Real high[4] = {velocity.x, velocity.y, velocity.z, self.inverse_mass};
@@ -57,10 +58,10 @@ template <bool record, bool turning, class L>
 
   [[maybe_unused]] Vector half_turn_before = Vector::zero(), angular_acceleration = Vector::zero();
   if constexpr (turning) {
-    half_turn_before = load(p.half_angular_velocity);
+    half_turn_before = leads ? load(p.half_angular_velocity) : self.angular_velocity;
     angular_acceleration = L::load(&p.inverse_inertia[group.slot]) * loads.torque;
     const Vector half_turn = fused(dt, angular_acceleration, half_turn_before);
-    store(p.half_angular_velocity, half_turn);
+    if (leads) store(p.half_angular_velocity, half_turn);
     const Vector turn = fused(Real(in.velocity_lead), angular_acceleration, half_turn);
     const Real spin[4] = {turn.x, turn.y, turn.z, Real(0.0)};
     L::template write_columns<Spin::doubles>(reinterpret_cast<double*>(&p.next.spins[group.slot]), spin);

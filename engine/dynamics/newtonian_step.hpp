@@ -41,13 +41,17 @@ class NewtonianStep final : public Dynamics {
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
     if (recorder) return advance_all<true, false>(particles, input, recorder);
-    return alike_ ? advance_all<false, true>(particles, input, nullptr)
-                  : advance_all<false, false>(particles, input, nullptr);
+    const bool alike = alike_ && input.growth.rate == 0;
+    return alike ? advance_all<false, true>(particles, input, nullptr)
+                 : advance_all<false, false>(particles, input, nullptr);
   }
 
  private:
   /// How far ahead of their use rows are asked for [slots]: neighbours are read about a column of cells ahead.
   static constexpr std::int32_t rows_read_ahead = 1024, rows_written_ahead = 64;
+
+  /// Fewer are in the second-level cache anyhow, and asking costs a sixth of the step.
+  static constexpr std::size_t slots_in_cache = 2000;
 
   /// One radius, mass and material: then the loop over neighbours need not look them up.
   void look_whether_alike(const Particles& p) {
@@ -89,9 +93,10 @@ class NewtonianStep final : public Dynamics {
     LaneSums<Lanes> sums;
     LaneSums<simd::Scalar> alone_sums;
     const GroupBlock& groups = list_.blocks()[block];
+    const bool beyond_cache = p.slots() > slots_in_cache;
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
-      prefetch_for_next(p, g);
+      if (beyond_cache) prefetch_for_next(p, g);
       if (group.shared) {
         const auto self = bodies_alone<Lanes>(p, group.slot);
         const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
@@ -117,9 +122,11 @@ class NewtonianStep final : public Dynamics {
     const double* rows = numbers(p.now.rows.data());
     const std::uint32_t* entry = list_.row(next.first_row);
     const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * Lanes::width;
-    for (; entry < end; ++entry) {
-      __builtin_prefetch(rows + *entry);
-      if constexpr (Tangential::active) __builtin_prefetch(numbers(p.now.spins.data()) + *entry / 2);
+    for (; entry < end; entry += Lanes::width) {
+      for (int k = 0; k < Lanes::width; ++k) {
+        __builtin_prefetch(rows + entry[k]);
+        if constexpr (Tangential::active) __builtin_prefetch(numbers(p.now.spins.data()) + entry[k] / 2);
+      }
     }
     const auto slots = static_cast<std::int32_t>(p.slots());
     const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - Lanes::width);
@@ -178,7 +185,8 @@ class NewtonianStep final : public Dynamics {
     return b;
   }
 
-  static simd::Vector<typename Lanes::Real> spins_of(const Particles& p, const std::uint32_t* neighbour) {
+  [[gnu::always_inline]] static simd::Vector<typename Lanes::Real> spins_of(const Particles& p,
+                                                                            const std::uint32_t* neighbour) {
     static_assert(Row::doubles == 2 * Spin::doubles);
     std::uint32_t offset[Lanes::width];
     for (int lane = 0; lane < Lanes::width; ++lane) offset[lane] = neighbour[lane] / 2;
@@ -202,10 +210,14 @@ class NewtonianStep final : public Dynamics {
   [[gnu::always_inline]] Loads<Lanes> pair_loads(const Particles& p, const NeighbourGroup& group,
                                                  const Bodies<Lanes>& self, const StepInput& in, Recorder* recorder,
                                                  LaneSums<Lanes>& sums, BlockResult& result) {
-    using simd::any, simd::inverse_sqrt;
+    using simd::any, simd::fused, simd::inverse_sqrt;
     using Real = typename Lanes::Real;
     Loads<Lanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
+    ContactSums<Real> pairs;  // of this group, in registers
     const double* rows = numbers(p.now.rows.data());
+    const Real scale(in.growth.scale);
+    const Real reach_of_alike = scale * (self.radius + self.radius);
+    const auto laws_of_alike = forces_.template laws_of_alike<Lanes>(self.inverse_mass);
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
       const std::uint32_t* neighbour = list_.row(row);
       Bodies<Lanes> other;
@@ -214,7 +226,7 @@ class NewtonianStep final : public Dynamics {
       simd::Vector<Real> d = self.position - simd::Vector<Real>{c[0], c[1], c[2]};
       if (group.images) d = nearest_image(d);
       other.radius = alike ? self.radius : c[3];
-      const Real reach = Real(in.growth.scale) * (self.radius + other.radius);
+      const Real reach = alike ? reach_of_alike : scale * (self.radius + other.radius);
       const Real squared = squared_length(d);
       const auto touching = squared < reach * reach;
       if (!any(touching)) {
@@ -236,13 +248,22 @@ class NewtonianStep final : public Dynamics {
         const auto [first, second] = slots(lane);
         return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[second]};
       };
-      const auto materials = [&](int lane) {
-        const auto [first, second] = slots(lane);
-        return std::pair{p.material[first], p.material[second]};
+      const auto add = [&](const auto& laws) __attribute__((always_inline)) {
+        forces_.template add<record, alike, Lanes>(self, other, at, laws, history_.pairs, row, who, in, recorder, loads,
+                                                   pairs, result);
       };
-      forces_.template add<record, alike, Lanes>(self, other, at, history_.pairs, row, materials, who, in, recorder,
-                                                 loads, sums.pairs, result);
+      if constexpr (alike) {
+        add(laws_of_alike);
+      } else {
+        const auto materials = [&](int lane) {
+          const auto [first, second] = slots(lane);
+          return std::pair{p.material[first], p.material[second]};
+        };
+        add(forces_.template laws<Lanes>(materials, self.inverse_mass + other.inverse_mass));
+      }
     }
+    if constexpr (alike) pairs.deepest = fused(Real(-in.overlap_limit), self.radius, pairs.deepest);
+    sums.pairs.add(pairs);
     return loads;
   }
 
@@ -274,14 +295,16 @@ class NewtonianStep final : public Dynamics {
       const auto materials = [&](int lane) {
         return std::pair{p.material[group.slot + lane], static_cast<std::int32_t>(plane.material)};
       };
-      forces_.template add<record, false, L>(self, wall, at, history_.walls, row, materials, who, in, recorder, loads,
+      const auto laws = forces_.template laws<L>(materials, self.inverse_mass);
+      forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, in, recorder, loads,
                                              sums.walls, result);
     }
     move<record, Tangential::active, L>(p, list_, group, self, loads, occupied, in, recorder, sums);
   }
 
   /// d less the box's sides that it is nearest to; unchanged along axes that are not periodic.
-  simd::Vector<typename Lanes::Real> nearest_image(const simd::Vector<typename Lanes::Real>& d) const {
+  [[gnu::always_inline]] simd::Vector<typename Lanes::Real> nearest_image(
+      const simd::Vector<typename Lanes::Real>& d) const {
     using simd::fused, simd::nearest_integer;
     using Real = typename Lanes::Real;
     const Vec3 side = domain_.size();

@@ -31,7 +31,7 @@ void Particles::reorder(const std::vector<std::int32_t>& from) {
     gather(inverse_inertia, spare_numbers, from, 0.0);
   }
   for (VectorArray* vectors : {&half_velocity, &half_angular_velocity}) {
-    if (vectors == &half_angular_velocity && !turns()) continue;
+    if (vectors->empty()) continue;
     for (auto* component : {&vectors->x, &vectors->y, &vectors->z}) gather(*component, spare_numbers, from, 0.0);
   }
   gather(mass, spare_numbers, from, 0.0);

@@ -17,6 +17,7 @@ struct VectorArray {
   void resize(std::size_t n) {
     for (auto* component : {&x, &y, &z}) component->resize(n, 0.0);
   }
+  bool empty() const { return x.empty(); }
   Vec3 get(std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, const Vec3& v) {
     x[i] = v[0];
@@ -58,8 +59,8 @@ struct Particles {
   static constexpr std::int32_t no_particle = -1;
 
   Kinematics now, next;
-  VectorArray half_velocity;              ///< half a step before `now` [m/s]
-  VectorArray half_angular_velocity;      ///< the same, turning [rad/s]
+  /// Half a step before `now` [m/s, rad/s]; empty where contacts see these velocities and the rows hold them.
+  VectorArray half_velocity, half_angular_velocity;
   AlignedVector<double> mass;             ///< at full size [kg]; 0 in an empty slot
   AlignedVector<double> inverse_inertia;  ///< at full size, of 2/5 m R^2 [1/(kg m2)]; empty where nothing turns
   std::vector<std::int32_t> id;           ///< no_particle in an empty slot
@@ -73,6 +74,12 @@ struct Particles {
   std::size_t size() const { return count; }
   std::size_t slots() const { return id.size(); }
   bool turns() const { return !now.spins.empty(); }
+  Vec3 half_step_velocity(std::size_t slot) const {
+    return half_velocity.empty() ? now.rows[slot].velocity : half_velocity.get(slot);
+  }
+  Vec3 half_step_turning(std::size_t slot) const {
+    return half_angular_velocity.empty() ? now.spins[slot].angular_velocity : half_angular_velocity.get(slot);
+  }
   bool is_particle(std::size_t slot) const { return id[slot] != no_particle; }
   /// The slot that stands for no neighbour.
   std::int32_t nobody() const { return static_cast<std::int32_t>(slots()) - 1; }

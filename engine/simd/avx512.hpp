@@ -53,7 +53,7 @@ struct Avx512 {
     }
     /// y (1 - e)^(-1/2) with e = 1 - x y^2 from the 14-bit estimate y, by the series up to e^3: what is left out is
     /// below the last bit. Several times faster than sqrt and divide.
-    friend Real inverse_sqrt(Real x) {
+    [[gnu::always_inline]] friend Real inverse_sqrt(Real x) {
       const Real y = _mm512_maskz_rsqrt14_pd(all, x.v);
       const Real e = _mm512_fnmadd_pd((x * y).v, y.v, Real(1.0).v);
       const Real series = fused(fused(Real(5.0 / 16), e, Real(3.0 / 8)), e, Real(0.5)) * e;

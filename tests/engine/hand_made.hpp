@@ -79,13 +79,13 @@ class HandMade {
     return static_cast<std::size_t>(std::find(particles.id.begin(), particles.id.end(), id) - particles.id.begin());
   }
   Vec3 position(std::int32_t id) const { return particles.now.rows[slot(id)].position; }
-  Vec3 velocity(std::int32_t id) const { return particles.half_velocity.get(slot(id)); }
-  Vec3 angular_velocity(std::int32_t id) const { return particles.half_angular_velocity.get(slot(id)); }
+  Vec3 velocity(std::int32_t id) const { return particles.half_step_velocity(slot(id)); }
+  Vec3 angular_velocity(std::int32_t id) const { return particles.half_step_turning(slot(id)); }
   double mass(std::int32_t id) const { return particles.mass[slot(id)]; }
   double inertia(std::int32_t id) const { return 1 / particles.inverse_inertia[slot(id)]; }
   Vec3 momentum() const {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < particles.slots(); ++i) sum += particles.mass[i] * particles.half_velocity.get(i);
+    for (std::size_t i = 0; i < particles.slots(); ++i) sum += particles.mass[i] * particles.half_step_velocity(i);
     return sum;
   }
 

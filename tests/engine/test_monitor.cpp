@@ -54,7 +54,19 @@ TEST_CASE("a particle that leaves through a closed face is named with the face")
 TEST_CASE("a particle gone for good through an open face is named") {
   const std::string what =
       failure_of({"gravity.acceleration=[0, 0, 500]", "dynamics.duration=1 s", "output.interval=0.1 s"});
-  CHECK_THAT(what, Contains("will not come back"));
+  CHECK_THAT(what, Contains("nothing pulls it back"));
+}
+
+TEST_CASE("a particle thrown high above an open lid comes back when gravity pulls it") {
+  const auto high = [](const std::vector<std::string>& set) {
+    const Scene scene = parse_scene(small_scene, "s.toml", set);
+    const Domain box = scene.box();
+    const Vec3 above(0.1, 0.1, box.max[2] + 3 * box.size()[2]);
+    const Particles p = make_particles(scene, {{above}, {Vec3::Zero()}, {Vec3::Zero()}, {0.02}, {0}, ""});
+    Monitor(scene, box, 1e-5, 1e-5).check_positions(p, 0.5);
+  };
+  CHECK_NOTHROW(high({}));
+  CHECK_THROWS_WITH(high({"gravity.acceleration=[9.8, 0, 0]"}), Contains("nothing pulls it back"));
 }
 
 TEST_CASE("a position or an energy that is not a number is reported") {

@@ -21,7 +21,6 @@ Particles particles_at(const std::vector<Vec3>& positions, const std::vector<dou
   Particles p;
   const std::size_t n = positions.size();
   p.count = n;
-  p.half_velocity.resize(n);
   p.mass.resize(n, 1.0);
   p.type.resize(n);
   p.material.resize(n);
@@ -204,7 +203,7 @@ TEST_CASE("a list that does not call itself outdated misses no contact while par
         Random jump(10 + step, RandomStream::filling_position, id), heading(1, RandomStream::filling_position, id);
         Vec3 move = motion.common + motion.jump * uniform_in(jump, -Vec3::Ones(), Vec3::Ones());
         if (id % 20 == 0) move += motion.fast * uniform_in(heading, -Vec3::Ones(), Vec3::Ones()).normalized();
-        p.half_velocity.set(s, move / dt);
+        p.now.rows[s].velocity = move / dt;
         p.now.rows[s].position += move;
       });
       growth.scale = std::min(1.0, growth.scale + motion.growth);

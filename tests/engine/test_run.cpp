@@ -130,7 +130,7 @@ TEST_CASE("a failed run says why and keeps its snapshots") {
                   RunError);
   const RunReader run(folder / "run");
   CHECK(run.record().status == RunStatus::failed);
-  CHECK_THAT(run.record().reason, Contains("will not come back"));
+  CHECK_THAT(run.record().reason, Contains("nothing pulls it back"));
   CHECK(run.snapshot(run.snapshot_count() - 1).size() == 120);
 }
 
