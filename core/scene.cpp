@@ -37,8 +37,9 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
   v.choice(
       {"contact_velocity",
        "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
-       "step before, of first order but stable to larger steps of a damped bed. auto: half-step for linear "
-       "contacts without friction beyond the recommended time step, else step"},
+       "step before, of first order in damping, stable to larger steps of a damped bed, exact for friction's springs. "
+       "auto: half-step for linear "
+       "contacts with friction or beyond the recommended time step, else step"},
       {"auto", "step", "half-step"}, d.contact_velocity, has_default);
 }
 

@@ -47,8 +47,9 @@ double solid_share(const Snapshot& s) {
 Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
   scene.dynamics.time_step = dt;
   if (scene.dynamics.contact_velocity == ContactVelocity::automatic) {
-    const bool damped_beyond = scene.contact.normal == NormalModel::linear && !rotates(scene) && dt > limit.recommended;
-    scene.dynamics.contact_velocity = damped_beyond ? ContactVelocity::half_step : ContactVelocity::step;
+    // docs/physics.md: the step's velocity damps friction's springs, the half step's shakes hysteretic beds.
+    const bool half_step = scene.contact.normal == NormalModel::linear && (rotates(scene) || dt > limit.recommended);
+    scene.dynamics.contact_velocity = half_step ? ContactVelocity::half_step : ContactVelocity::step;
   }
   return scene;
 }

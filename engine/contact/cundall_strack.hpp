@@ -35,9 +35,9 @@ struct CundallStrack {
     Mask sliding;
   };
 
-  /// Advances the spring [m], which is kept half a step after the instant of the forces, by a step dt [s] at sliding
-  /// velocity [m/s] in the contact plane; so the force is of second order in dt. Swapping the bodies negates normal,
-  /// velocity and spring, and gives exactly the negated force.
+  /// Advances the spring [m] by a step dt [s] at a sliding velocity [m/s] in the contact plane to the instant of the
+  /// forces. With the velocity half a step before that instant, this is the leapfrog scheme, of second order and without
+  /// gain or loss. Swapping the bodies negates normal, velocity and spring, and gives exactly the negated force.
   template <class T>
   [[gnu::always_inline]] static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring,
                                                  const simd::Vector<T>& normal, const simd::Vector<T>& sliding_velocity,
@@ -48,8 +48,8 @@ struct CundallStrack {
     // The contact plane turns; the spring keeps its length.
     const T turned_squared = squared_length(now);
     const T stretch = squared * inverse_sqrt(squared * turned_squared);
-    const simd::Vector<T> half_step = T(0.5 * dt) * sliding_velocity;
-    now = fused(only(T(0.0) < squared * turned_squared, stretch), now, half_step);
+    const simd::Vector<T> displacement = T(dt) * sliding_velocity;
+    now = fused(only(T(0.0) < squared * turned_squared, stretch), now, displacement);
     const T limit_force = pair.friction * absolute(normal_force);
     const T now_squared = squared_length(now);
     const T now_force = pair.stiffness * pair.stiffness * now_squared;
@@ -61,11 +61,11 @@ struct CundallStrack {
       const simd::Vector<T> slip = (T(1.0) - kept) * now;
       now -= slip;
       // Work done on the spring in this step less the change of its energy.
-      f.dissipated = pair.stiffness * (T(0.5) * (now_squared - squared_length(now)) - dot(half_step, slip));
+      f.dissipated = pair.stiffness * T(0.5) * (now_squared - squared_length(now) - dot(displacement, slip));
     }
     f.force = -pair.stiffness * now;
     f.elastic = T(0.5) * pair.stiffness * squared_length(now);
-    spring = now + half_step;
+    spring = now;
     return f;
   }
 };

@@ -113,16 +113,16 @@ class SlowTwin {
     const double length = s.norm();
     s -= s.dot(n) * n;
     if (s.norm() > 0) s *= length / s.norm();
-    s += 0.5 * in.dt * sliding;
+    const Vec3 displacement = in.dt * sliding;
+    s += displacement;
     const double limit = mu * std::abs(normal) / ks;
     if (s.norm() > limit) {
       const Vec3 kept = s * (limit / s.norm());
-      dissipated_ += 0.5 * ks * (s.squaredNorm() - kept.squaredNorm()) - ks * (s - kept).dot(0.5 * in.dt * sliding);
+      dissipated_ += 0.5 * ks * (s.squaredNorm() - kept.squaredNorm()) - 0.5 * ks * (s - kept).dot(displacement);
       s = kept;
     }
     load.force -= ks * s;
     load.turning = n.cross(-ks * s);
-    s += 0.5 * in.dt * sliding;
     return load;
   }
 
