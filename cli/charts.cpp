@@ -1,5 +1,6 @@
 #include "cli/charts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -138,13 +139,65 @@ viz::Chart composition(const std::vector<RunReader>& runs) {
   return chart;
 }
 
+/// Radius [m], summed, and number of the particles of one group.
+struct GroupSize {
+  double radius = 0;
+  double count = 0;
+
+  double mean() const { return radius / count; }
+};
+
+/// How many of the smaller kind there are for each of the larger.
+double small_per_big(const RunReader& run, const Snapshot& snapshot) {
+  std::vector<GroupSize> groups(snapshot.groups.size());
+  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+    groups[snapshot.type[i]].radius += snapshot.radius[i];
+    ++groups[snapshot.type[i]].count;
+  }
+  std::erase_if(groups, [](const GroupSize& g) { return g.count == 0; });
+  if (groups.size() != 2) {
+    throw InputError(fmt::format("{}: --what mixture is for packings of two kinds of particles; there are {}",
+                                 run.path().string(), groups.size()));
+  }
+  const bool first_is_small = groups[0].mean() < groups[1].mean();
+  return first_is_small ? groups[0].count / groups[1].count : groups[1].count / groups[0].count;
+}
+
+/// One point a run.
+viz::Chart mixture(const std::vector<RunReader>& runs) {
+  struct Point {
+    double ratio, fraction, error;
+  };
+  std::vector<Point> points;
+  for (const RunReader& run : runs) {
+    const Snapshot snapshot = run.snapshot(run.index_at("last"));
+    const auto results = analysis::analyze(snapshot, {"packing"});
+    const analysis::Quantity* fraction = results.front().quantity("bulk_fraction");
+    points.push_back(
+        {small_per_big(run, snapshot), fraction->value.value_or(std::nan("")), fraction->uncertainty.value_or(0)});
+  }
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.ratio < b.ratio; });
+  viz::Series series{.name = "fraction", .x = {}, .y = {}, .marked = true};
+  for (const Point& p : points) {
+    series.x.push_back(p.ratio);
+    series.y.push_back(p.fraction);
+    series.spread.push_back(p.error);
+  }
+  viz::Chart chart;
+  chart.options.title = "Packing fraction of a mixture of two sizes";
+  chart.options.x_label = "Small particles for each big one";
+  chart.options.y_label = "Solid fraction of the bed's bulk";
+  chart.series = {series};
+  return chart;
+}
+
 }  // namespace
 
 const std::vector<std::string>& chart_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const auto& chart : time_charts()) all.push_back(chart.name);
-    all.insert(all.end(), {"profile", "composition"});
+    all.insert(all.end(), {"profile", "composition", "mixture"});
     return all;
   }();
   return names;
@@ -156,6 +209,7 @@ viz::Chart make_chart(const std::string& name, const std::vector<RunReader>& run
   }
   if (name == "profile") return fraction_profile(runs);
   if (name == "composition") return composition(runs);
+  if (name == "mixture") return mixture(runs);
   const auto near = nearest_name(name, chart_names());
   throw InputError(fmt::format("--what {}: unknown chart; {}there are: {}", name,
                                near ? fmt::format("did you mean \"{}\"? ", *near) : "", joined(chart_names())));

@@ -9,7 +9,8 @@
 
 namespace packstone::cli {
 
-/// "energy", "kinetic", "packing", "height", "coordination", "account", "profile", "composition".
+/// "energy", "kinetic", "packing", "height", "coordination", "account", "profile", "composition",
+/// "mixture" (one point a run of two kinds of particles).
 const std::vector<std::string>& chart_names();
 
 /// One chart of one or several runs. Throws InputError for an unknown name, naming the nearest, or for a single

@@ -54,7 +54,7 @@ void plot(const PlotOptions& options) {
 
 void add_plot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* verb = app.add_subcommand("plot", "Draw charts over time and over height, of one or several runs");
+  CLI::App* verb = app.add_subcommand("plot", "Draw charts over time, over height and over a mixture's ratio, of one or several runs");
   verb->add_option("paths", options->paths, "Run folders")->required();
   verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))
       ->delimiter(',')

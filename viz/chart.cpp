@@ -24,6 +24,7 @@ constexpr double key_gap = 0.6;
 constexpr double entry_gap = 2.0;
 constexpr double legend_line = 1.7;
 constexpr double line_weight = 0.13;
+constexpr double mark_radius = 0.35;
 constexpr double bar_outline = 0.05;
 
 constexpr double band_opacity = 0.2;
@@ -213,10 +214,10 @@ void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
     for (const auto& [first, last] : pieces) {
       std::vector<Point> points;
       for (std::size_t i = first; i < last; ++i) points.push_back(frame.place(s.x[i], s.y[i]));
-      if (points.size() == 1) {
-        drawing.disc(points.front(), line_weight * font, Fill{colour_of(s, k)}, std::nullopt);
-      } else {
-        drawing.polyline(points, line_stroke(s, k, font));
+      if (points.size() > 1) drawing.polyline(points, line_stroke(s, k, font));
+      if (points.size() > 1 && !s.marked) continue;
+      for (const Point& point : points) {
+        drawing.disc(point, (s.marked ? mark_radius : line_weight) * font, Fill{colour_of(s, k)}, std::nullopt);
       }
     }
   }

@@ -36,36 +36,35 @@ struct CundallStrack {
   };
 
   /// Advances the spring [m] by a step dt [s] at a sliding velocity [m/s] in the contact plane to the instant of the
-  /// forces. With the velocity half a step before that instant, this is the leapfrog scheme, of second order and without
-  /// gain or loss. Swapping the bodies negates normal, velocity and spring, and gives exactly the negated force.
+  /// forces. With the velocity half a step before that instant, this is the leapfrog scheme, of second order and
+  /// without gain or loss. Swapping the bodies negates normal, velocity and spring, and gives exactly the negated
+  /// force.
   template <class T>
   [[gnu::always_inline]] static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring,
                                                  const simd::Vector<T>& normal, const simd::Vector<T>& sliding_velocity,
                                                  const T& normal_force, double dt) {
-    using simd::absolute, simd::any, simd::fused, simd::inverse_sqrt, simd::only, simd::select, simd::squared_length;
-    const T squared = squared_length(spring);
-    simd::Vector<T> now = fused(-dot(spring, normal), normal, spring);
-    // The contact plane turns; the spring keeps its length.
+    using simd::absolute, simd::fused, simd::inverse_sqrt, simd::only, simd::rough_reciprocal, simd::select,
+        simd::squared_length;
+    const T along = dot(spring, normal);
+    simd::Vector<T> now = fused(-along, normal, spring);
+    // The contact plane turns by a small angle, whose tangent squared is x; the spring keeps its length.
     const T turned_squared = squared_length(now);
-    const T stretch = squared * inverse_sqrt(squared * turned_squared);
+    const T x = only(T(0.0) < turned_squared, along * along * rough_reciprocal(turned_squared));
+    const T stretch = fused(fused(T(-1.0 / 8), x, T(0.5)), x, T(1.0));  // sqrt(1 + x)
     const simd::Vector<T> displacement = T(dt) * sliding_velocity;
-    now = fused(only(T(0.0) < squared * turned_squared, stretch), now, displacement);
-    const T limit_force = pair.friction * absolute(normal_force);
+    now = fused(stretch, now, displacement);
     const T now_squared = squared_length(now);
-    const T now_force = pair.stiffness * pair.stiffness * now_squared;
+    const T limit_force = pair.friction * absolute(normal_force);
+    const T share = limit_force * inverse_sqrt(pair.stiffness * pair.stiffness * now_squared);
     Force<T> f;
-    f.dissipated = T(0.0);
-    f.sliding = limit_force * limit_force < now_force;
-    if (any(f.sliding)) {
-      const T kept = select(f.sliding, limit_force * inverse_sqrt(now_force), T(1.0));
-      const simd::Vector<T> slip = (T(1.0) - kept) * now;
-      now -= slip;
-      // Work done on the spring in this step less the change of its energy.
-      f.dissipated = pair.stiffness * T(0.5) * (now_squared - squared_length(now) - dot(displacement, slip));
-    }
-    f.force = -pair.stiffness * now;
-    f.elastic = T(0.5) * pair.stiffness * squared_length(now);
-    spring = now;
+    f.sliding = share < T(1.0);
+    const T kept = select(f.sliding, share, T(1.0));
+    spring = kept * now;
+    f.force = -pair.stiffness * spring;
+    const T half_stiffness = T(0.5) * pair.stiffness;
+    // Work done on the spring in this step less the change of its energy.
+    f.dissipated = half_stiffness * (T(1.0) - kept) * fused(T(1.0) + kept, now_squared, -dot(displacement, now));
+    f.elastic = half_stiffness * squared_length(spring);
     return f;
   }
 };

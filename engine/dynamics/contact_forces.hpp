@@ -105,16 +105,19 @@ class ContactForces {
     if constexpr (Tangential::active) {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
       const simd::Vector<Real> spin =
-          Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
+          alike ? Real(in.growth.scale) * first.radius * (first.angular_velocity + second.angular_velocity)
+                : Real(in.growth.scale) *
+                      (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
       const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
       simd::Vector<Real> spring = springs.load<L>(row);
       const auto friction = Tangential::advance(laws.tangential, spring, n, sliding_velocity, total, in.dt);
       springs.store<L>(row, at.touching, spring);
-      tangential_force = only(at.touching, friction.force);
-      loads.force += tangential_force;
-      loads.torque -= Real(in.growth.scale) * first.radius * only(at.touching, cross(n, tangential_force));
-      sums.sliding_loss += only(at.touching, friction.dissipated);
+      tangential_force = friction.force;
+      loads.force = fused_where(at.touching, Real(1.0), friction.force, loads.force);
+      loads.torque =
+          fused_where(at.touching, Real(-in.growth.scale) * first.radius, cross(n, friction.force), loads.torque);
+      sums.sliding_loss = fused_where(at.touching, Real(1.0), friction.dissipated, sums.sliding_loss);
       elastic += friction.elastic;
       sliding = bits(friction.sliding);
     }

@@ -46,6 +46,7 @@ struct Avx2 {
     friend Real absolute(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
     friend Real nearest_integer(Real a) { return _mm256_round_pd(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
     friend Real inverse_sqrt(Real x) { return Real(1.0) / Real(_mm256_sqrt_pd(x.v)); }
+    friend Real rough_reciprocal(Real x) { return Real(1.0) / x; }
     friend double sum(Real x) { return (x.v[0] + x.v[2]) + (x.v[1] + x.v[3]); }
     friend double largest(Real x) {
       const double a = x.v[0] > x.v[2] ? x.v[0] : x.v[2], b = x.v[1] > x.v[3] ? x.v[1] : x.v[3];

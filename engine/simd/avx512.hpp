@@ -59,6 +59,11 @@ struct Avx512 {
       const Real series = fused(fused(Real(5.0 / 16), e, Real(3.0 / 8)), e, Real(0.5)) * e;
       return fused(series, y, y);
     }
+    /// The 14-bit estimate, once refined.
+    [[gnu::always_inline]] friend Real rough_reciprocal(Real x) {
+      const Real y = _mm512_maskz_rcp14_pd(all, x.v);
+      return fused(fused(-x, y, Real(1.0)), y, y);
+    }
     friend double sum(Real x) {
       return ((x.v[0] + x.v[4]) + (x.v[2] + x.v[6])) + ((x.v[1] + x.v[5]) + (x.v[3] + x.v[7]));
     }

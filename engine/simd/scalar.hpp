@@ -29,6 +29,8 @@ inline double absolute(double a) { return std::abs(a); }
 inline double nearest_integer(double a) { return std::nearbyint(a); }
 /// 1/sqrt(x), to the last bit or two.
 inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
+/// 1/x, to half the bits at least.
+inline double rough_reciprocal(double x) { return 1 / x; }
 inline bool any(bool mask) { return mask; }
 inline std::uint32_t bits(bool mask) { return mask ? 1u : 0u; }
 inline double sum(double x) { return x; }

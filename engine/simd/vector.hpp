@@ -36,7 +36,7 @@ template <class T>
 
 template <class T>
 [[gnu::always_inline]] inline Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {fused(-a.z, b.y, a.y * b.z), fused(-a.x, b.z, a.z * b.x), fused(-a.y, b.x, a.x * b.y)};
 }
 
 /// s a + b.

@@ -60,6 +60,8 @@ TEST_CASE("pictures, a film, a slice, charts and a report come out without a dis
   done("plot " + run.path + " --what energy,profile" + run.out("plots"), "");
   CHECK(is_png(run.folder / "plots/energy.png"));
   CHECK(is_png(run.folder / "plots/profile.png"));
+  done("plot " + run.path + " " + run.path + " --what mixture" + run.out("mixture.svg"), "");
+  CHECK_THAT(read_text_file(run.folder / "mixture.svg"), Contains("Small particles for each big one"));
   done("report " + run.path + run.out("report.html"), "");
   const std::string page = read_text_file(run.folder / "report.html");
   CHECK_THAT(page, Contains("kinetic energy"));

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Cost of a particle and step over the number of particles, the ratio of sizes and the threads. See ../README.md.
 
-Packings are jammed without gravity by growth: equal spheres in a small periodic box, tiled to any number; large spheres
-among small ones in a box of six walls.
+Equal spheres are jammed without gravity by growth in a small periodic box and tiled to any number. Mixtures are cut out of
+that packing, between six walls: large spheres take the place of the small ones in their way, which leaves the others their
+contacts.
 """
 from __future__ import annotations
 
@@ -20,8 +21,10 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 RADIUS = 0.005  # of the small spheres [m]
 TILE = 8000  # spheres of the periodic packing
 FRACTION = 0.639  # solid volume over the box's: about random close packing, and just what growth accepts
+LARGE_SHARE = 1 / 8  # of the small spheres' volume, in a mixture
 PARTICLE_STEPS = 1.5e9  # of a timed run: tens of seconds
 LEAST_STEPS, MOST_STEPS = 400, 40000
+SMALL = 100000  # small spheres of a mixture
 
 SCENE = """
 title = "Jammed spheres"
@@ -99,13 +102,33 @@ def jammed_tile(folder: pathlib.Path) -> tuple[np.ndarray, float]:
     return last_snapshot(folder)["VTKHDF/Points"][:], side
 
 
-def tiled(positions: np.ndarray, side: float, tiles: tuple[int, int, int], file: pathlib.Path) -> None:
-    """A file of the packing repeated along each axis, in the order of an unsorted input."""
+def repeated(positions: np.ndarray, side: float, tiles: tuple[int, int, int]) -> np.ndarray:
     shifts = np.stack(np.meshgrid(*map(np.arange, tiles)), -1).reshape(-1, 3) * side
-    points = (positions[None] + shifts[:, None]).reshape(-1, 3)
-    points = points[np.random.default_rng(1).permutation(len(points))]
-    rows = np.column_stack([points, np.full(len(points), RADIUS)])
-    np.savetxt(file, rows, fmt="%.10g", delimiter=",", header="x,y,z,radius", comments="")
+    return (positions[None] + shifts[:, None]).reshape(-1, 3)
+
+
+def written(points: np.ndarray, radii: np.ndarray, file: pathlib.Path) -> None:
+    """A file of spheres, in the order of an unsorted input."""
+    order = np.random.default_rng(1).permutation(len(points))
+    np.savetxt(file, np.column_stack([points, radii])[order], fmt="%.10g", delimiter=",", header="x,y,z,radius",
+               comments="")  # fmt: skip
+
+
+def mixture(packing: np.ndarray, tile: float, ratio: float, file: pathlib.Path) -> tuple[float, int, int]:
+    """A file of large spheres among about SMALL small ones; returns the box's side and how many there are of each."""
+    large = 0 if ratio == 1 else max(1, round(SMALL * LARGE_SHARE / ratio**3))
+    side = ((SMALL + large * ratio**3) * sphere(RADIUS) / FRACTION) ** (1 / 3)
+    points = repeated(packing, tile, 3 * (math.ceil(side / tile),))
+    points = points[np.all((points >= RADIUS) & (points <= side - RADIUS), axis=1)]
+    radius, random, centres = ratio * RADIUS, np.random.default_rng(1), np.empty((0, 3))
+    while len(centres) < large:
+        centre = random.uniform(radius, side - radius, 3) if large > 1 else np.full(3, side / 2)
+        if np.all(np.linalg.norm(centres - centre, axis=1) > 2 * radius):
+            centres = np.vstack([centres, centre])
+    for centre in centres:
+        points = points[np.linalg.norm(points - centre, axis=1) > radius + RADIUS]
+    written(np.vstack([points, centres]), np.repeat([RADIUS, radius], [len(points), large]), file)
+    return side, len(points), large
 
 
 def from_file(file: pathlib.Path) -> str:
@@ -113,10 +136,10 @@ def from_file(file: pathlib.Path) -> str:
 
 
 def timed(folder: pathlib.Path, file: pathlib.Path, side: list[float], periodic: str, wall: str, particles: int,
-          groups: int, threads: int) -> dict:  # fmt: skip
+          threads: int) -> dict:  # fmt: skip
     steps = int(min(MOST_STEPS, max(LEAST_STEPS, PARTICLE_STEPS / particles)))
     scene = SCENE.format(duration=steps * 5e-6, side=side, periodic=periodic, walls=wall,
-                         particles=groups * group(None, RADIUS), filling=from_file(file))  # fmt: skip
+                         particles=group(None, RADIUS), filling=from_file(file))  # fmt: skip
     record, memory = packstone(scene, folder, threads)
     history = np.genfromtxt(folder / "run" / "history.csv", delimiter=",", names=True)
     return {"particles": particles, "threads": threads, "ns": 1e9 * record["loop_seconds"] / particles / record["steps"],
@@ -133,32 +156,24 @@ def over_particles(folder: pathlib.Path, numbers: list[int], threads: list[int])
         tiles = (edge, edge, max(1, round(number / TILE / edge**2)))
         file = folder / f"tiles_{number}.csv"
         if not file.exists():
-            tiled(positions, side, tiles, file)
+            points = repeated(positions, side, tiles)
+            written(points, np.full(len(points), RADIUS), file)
         count = TILE * math.prod(tiles)
         for t in threads:
-            row = timed(folder / f"n{number}", file, [side * n for n in tiles], '["x", "y", "z"]', "", count, 1, t)
+            row = timed(folder / f"n{number}", file, [side * n for n in tiles], '["x", "y", "z"]', "", count, t)
             rows.append({"case": "equal spheres", "ratio": 1, **row})
             print(line(rows[-1]), flush=True)
     return rows
 
 
 def over_ratios(folder: pathlib.Path, ratios: list[float], threads: list[int]) -> list[dict]:
-    """100,000 small spheres and as many large ones as have an eighth of their volume, at least one."""
-    small, rows = 100000, []
+    packing, tile = jammed_tile(folder / "tile")
+    rows = []
     for ratio in ratios:
-        large = 0 if ratio == 1 else max(1, round(small / 8 / ratio**3))
-        solid = small * sphere(RADIUS) + large * sphere(ratio * RADIUS)
-        side = (solid / FRACTION) ** (1 / 3)
-        bed = folder / f"ratio{ratio:g}"
-        groups = group(small, RADIUS) + (group(large, ratio * RADIUS) if large else "")
-        if not (bed / "run" / "run.json").exists():
-            filling = '[filling]\nkind = "growth"\nduration = 0.1'
-            packstone(SCENE.format(duration=0.15, side=3 * [side], periodic="[]", walls=walls(side), particles=groups,
-                                   filling=filling), bed, 2)  # fmt: skip
-        file = sorted((bed / "run" / "snapshots").glob("snapshot_*.vtkhdf"))[-1]
+        file = folder / f"ratio{ratio:g}.csv"
+        side, small, large = mixture(packing, tile, ratio, file)
         for t in threads:
-            row = timed(folder / f"timed_ratio{ratio:g}", file, 3 * [side], "[]", walls(side), small + large,
-                        2 if large else 1, t)  # fmt: skip
+            row = timed(folder / f"timed_ratio{ratio:g}", file, 3 * [side], "[]", walls(side), small + large, t)
             rows.append({"case": f"{large} large among small", "ratio": ratio, **row})
             print(line(rows[-1]), flush=True)
     return rows
