@@ -1,59 +1,44 @@
-// The packstone command: parses the call, maps failures to exit codes.
+// The packstone command. Pictures are drawn by a program of their own beside it, so that simulating and measuring do
+// not load the renderer's libraries: they take longer to load than a small run, and more memory than 100,000 particles.
 
-#include <cstdio>
-#include <new>
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
 
-#include <fmt/format.h>
+#include <unistd.h>
 
+#include "cli/application.hpp"
+#include "cli/picture_verbs.hpp"
 #include "cli/verbs.hpp"
-#include "core/error.hpp"
-#include "core/version.hpp"
 
 namespace {
 
-using packstone::ExitCode;
+using namespace packstone::cli;
 
-int report(ExitCode code, const std::string& message) {
-  const char* kind = code == ExitCode::interrupted ? "interrupted" : "error";
-  fmt::print(stderr, "packstone: {}: {}\n", kind, message);
-  return static_cast<int>(code);
+void add_verbs(CLI::App& app) {
+  add_run(app);
+  add_info(app);
+  add_analyze(app);
+  for (const PictureVerb& verb : picture_verbs) app.add_subcommand(verb.name, verb.description);  // for --help
 }
 
-int run_command(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return report(ExitCode::bad_input, std::string(error.what()) + "; see packstone --help");
-  } catch (const packstone::InputError& error) {
-    return report(ExitCode::bad_input, error.what());
-  } catch (const packstone::Interrupted& error) {
-    return report(ExitCode::interrupted, error.what());
-  } catch (const std::bad_alloc&) {
-    return report(ExitCode::failed, "not enough memory");
-  } catch (const std::exception& error) {
-    return report(ExitCode::failed, error.what());
-  }
-  return static_cast<int>(ExitCode::done);
+bool draws(const std::string& verb) {
+  return std::any_of(std::begin(picture_verbs), std::end(picture_verbs),
+                     [&](const PictureVerb& known) { return verb == known.name; });
+}
+
+/// Becomes the program that draws; returns only when that fails.
+int hand_over(char** argv) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / pictures_program;
+  execv(program.c_str(), argv);
+  return refuse(program.string() + " cannot be started: " + std::generic_category().message(errno) +
+                "; it draws the pictures and belongs beside packstone (a build without PACKSTONE_VIZ has none)");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Simulates, measures and draws packings of powders and grains.", "packstone");
-  app.set_version_flag("--version", fmt::format("packstone {} (git {}, {})", packstone::version(),
-                                                packstone::git_revision(), packstone::compiler()));
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(32);
-  packstone::cli::add_run(app);
-  packstone::cli::add_info(app);
-  packstone::cli::add_analyze(app);
-#ifdef PACKSTONE_WITH_VIZ
-  packstone::cli::add_render(app);
-  packstone::cli::add_slice(app);
-  packstone::cli::add_plot(app);
-  packstone::cli::add_report(app);
-#endif
-  return run_command(app, argc, argv);
+  if (argc > 1 && draws(argv[1])) return hand_over(argv);
+  return run_application(argc, argv, add_verbs);
 }

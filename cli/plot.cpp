@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/charts.hpp"
+#include "cli/picture_verbs.hpp"
 #include "cli/pictures.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -54,7 +55,7 @@ void plot(const PlotOptions& options) {
 
 void add_plot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* verb = app.add_subcommand("plot", "Draw charts over time, over height and over a mixture's ratio, of one or several runs");
+  CLI::App* verb = app.add_subcommand(plot_verb.name, plot_verb.description);
   verb->add_option("paths", options->paths, "Run folders")->required();
   verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))
       ->delimiter(',')

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/interrupt.hpp"
+#include "cli/picture_verbs.hpp"
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
 #include "cli/selection.hpp"
@@ -110,7 +111,7 @@ void render(const RenderOptions& options) {
 
 void add_render(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* verb = app.add_subcommand("render", "Draw the packing in space: a picture, frames, or a film");
+  CLI::App* verb = app.add_subcommand(render_verb.name, render_verb.description);
   verb->add_option("path", options->path, "Run folder or snapshot")->required();
   verb->add_option("-o,--output", options->output, "x.png, x.mp4, x.gif, or a folder for frames")->required();
   verb->add_option("--camera", options->camera, "iso, front, back, left, right, top or bottom")->capture_default_str();

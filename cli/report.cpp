@@ -13,6 +13,7 @@
 #include "analysis/writers.hpp"
 #include "cli/charts.hpp"
 #include "cli/comparison.hpp"
+#include "cli/picture_verbs.hpp"
 #include "cli/report_findings.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -247,8 +248,7 @@ void report(const ReportOptions& options) {
 
 void add_report(CLI::App& app) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* verb =
-      app.add_subcommand("report", "Write a page with the tables, charts and pictures of a run, or compare runs");
+  CLI::App* verb = app.add_subcommand(report_verb.name, report_verb.description);
   verb->add_option("paths", options->paths, "Run folders")->required();
   verb->add_option("-o,--output", options->output, "x.html")->required();
   verb->callback([options] { report(*options); });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/picture_verbs.hpp"
 #include "cli/pictures.hpp"
 #include "cli/verbs.hpp"
 #include "core/run_folder.hpp"
@@ -40,7 +41,7 @@ void slice(const SliceCall& call) {
 void add_slice(CLI::App& app) {
   auto call = std::make_shared<SliceCall>();
   call->picture.size = "1600x1200";
-  CLI::App* verb = app.add_subcommand("slice", "Draw the true cut of a plane through the packing");
+  CLI::App* verb = app.add_subcommand(slice_verb.name, slice_verb.description);
   verb->add_option("path", call->path, "Run folder or snapshot")->required();
   verb->add_option("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"")->required();
   verb->add_option("-o,--output", call->output, "x.png or x.svg")->required();

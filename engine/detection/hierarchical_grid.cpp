@@ -15,8 +15,10 @@ constexpr double level_ratio = 1.5;
 /// Cells are wider, and hold more, where there would be more of them than this.
 constexpr std::int64_t cells_per_particle = 16;
 constexpr std::int64_t least_cell_limit = 1 << 16;
+/// Columns are this many extents wide: a search visits few, and each fills the lanes it is read with.
+constexpr double column_width = 4;
 /// Cells along z over those along x and y: a range of them costs no more when they are finer.
-constexpr double z_refinement = 2;
+constexpr double z_refinement = 4;
 constexpr std::size_t most_levels = 256;
 
 }  // namespace
@@ -55,7 +57,7 @@ void HierarchicalGrid::lay_out(Level& level, const Domain& domain, const Vec3& l
     size[axis] = periodic ? domain.size()[axis] : high[axis] - low[axis];
   }
   const double limit = static_cast<double>(std::max(least_cell_limit, cells_per_particle * particles));
-  double width = 2 * level.extent;
+  double width = column_width * level.extent;
   const auto cells_along = [&](int axis) {
     const double along = axis == 2 ? width / z_refinement : width;
     return std::max(1.0, std::floor(size[axis] / along));

@@ -14,9 +14,9 @@
 namespace packstone::engine {
 
 /// Each particle has an extent, the radius of a sphere about its centre, and is sorted into the level of its extent,
-/// whose cells are about as wide as its largest spheres. A search visits on every level only the cells that its sphere
-/// can meet, so that its cost does not depend on the ratio of sizes: towards coarser levels those are a handful,
-/// towards finer ones as many as particles find room in.
+/// whose cells are about as high as its largest spheres' extent and four times as wide. A search visits on every level
+/// only the cells that its sphere can meet, so that its cost does not depend on the ratio of sizes: towards coarser
+/// levels those are a handful, towards finer ones as many as particles find room in.
 ///
 /// Within a level cells are stacked into columns along z, and columns are numbered tile by tile, so that what is close
 /// in space is close in the order and a column's part of a search is one range of it.
@@ -83,7 +83,7 @@ class HierarchicalGrid {
 };
 
 inline std::int64_t HierarchicalGrid::Level::column(int a, int b) const {
-  constexpr int tile = 8;  // columns along either side
+  constexpr int tile = 4;  // columns along either side
   const int tile_a = a / tile * tile, tile_b = b / tile * tile;
   const int columns = std::min(tile, cells[0] - tile_a), rows = std::min(tile, cells[1] - tile_b);
   const std::int64_t before = static_cast<std::int64_t>(tile_b) * cells[0] + static_cast<std::int64_t>(tile_a) * rows;

@@ -14,16 +14,20 @@ struct Result {
   std::string output;  ///< standard output and standard error together
 };
 
-/// arguments as a shell would take them; environment goes before the command.
-inline Result packstone_command(const std::string& arguments, const std::string& environment = "") {
-  const std::string line = environment + " " + PACKSTONE_COMMAND + " " + arguments + " 2>&1";
-  FILE* pipe = popen(line.c_str(), "r");
+/// What a shell makes of the line.
+inline Result shell(const std::string& line) {
+  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
   Result result;
   std::array<char, 4096> buffer;
   while (std::fgets(buffer.data(), buffer.size(), pipe)) result.output += buffer.data();
   const int status = pclose(pipe);
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
+}
+
+/// arguments as a shell would take them; environment goes before the command.
+inline Result packstone_command(const std::string& arguments, const std::string& environment = "") {
+  return shell(environment + " " + PACKSTONE_COMMAND + " " + arguments);
 }
 
 }  // namespace packstone::testing

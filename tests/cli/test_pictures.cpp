@@ -95,3 +95,13 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
   CHECK(unwritable.exit_code != 0);
   CHECK(std::count(unwritable.output.begin(), unwritable.output.end(), '\n') == 1);
 }
+
+TEST_CASE("packstone without the program that draws says so") {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(PACKSTONE_COMMAND, folder / "packstone");
+  const auto result = testing::shell((folder / "packstone").string() + " render run -o x.png");
+  INFO(result.output);
+  CHECK(result.exit_code == 2);
+  CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
+  CHECK_THAT(result.output, Contains("packstone-pictures cannot be started") && Contains("belongs beside packstone"));
+}

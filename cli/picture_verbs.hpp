@@ -1,0 +1,23 @@
+// The verbs that packstone hands over to packstone-pictures.
+#pragma once
+
+namespace packstone::cli {
+
+struct PictureVerb {
+  const char* name;
+  const char* description;
+};
+
+inline constexpr PictureVerb render_verb{"render", "Draw the packing in space: a picture, frames, or a film"};
+inline constexpr PictureVerb slice_verb{"slice", "Draw the true cut of a plane through the packing"};
+inline constexpr PictureVerb plot_verb{
+    "plot", "Draw charts over time, over height and over a mixture's ratio, of one or several runs"};
+inline constexpr PictureVerb report_verb{"report",
+                                         "Write a page with the tables, charts and pictures of a run, or compare runs"};
+
+inline constexpr PictureVerb picture_verbs[] = {render_verb, slice_verb, plot_verb, report_verb};
+
+/// Beside packstone.
+inline constexpr const char* pictures_program = "packstone-pictures";
+
+}  // namespace packstone::cli
