@@ -192,6 +192,14 @@ void draw_band(Drawing& drawing, const PlotFrame& frame, const Series& s, std::p
   drawing.band(sides[0], sides[1], fill);
 }
 
+void draw_error_bars(Drawing& drawing, const PlotFrame& frame, const Series& s, std::pair<std::size_t, std::size_t> run,
+                     const Stroke& stroke) {
+  for (std::size_t i = run.first; i < run.second; ++i) {
+    if (!std::isfinite(s.spread[i])) continue;
+    drawing.line(frame.place(s.x[i], s.y[i] - s.spread[i]), frame.place(s.x[i], s.y[i] + s.spread[i]), stroke);
+  }
+}
+
 void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
   const double font = frame.font;
   drawing.clip(frame.box);
@@ -209,7 +217,12 @@ void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
     const Series& s = chart.series[k];
     const auto pieces = runs(s, chart.options);
     for (const auto& run : pieces) {
-      if (!s.spread.empty()) draw_band(drawing, frame, s, run, chart.options, Fill{colour_of(s, k), band_opacity});
+      if (s.spread.empty()) continue;
+      if (s.marked) {
+        draw_error_bars(drawing, frame, s, run, line_stroke(s, k, font));
+      } else {
+        draw_band(drawing, frame, s, run, chart.options, Fill{colour_of(s, k), band_opacity});
+      }
     }
     for (const auto& [first, last] : pieces) {
       std::vector<Point> points;

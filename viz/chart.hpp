@@ -19,7 +19,7 @@ struct Series {
   std::vector<double> spread = {};  ///< half width of a band around the line; empty for none
   std::optional<Colour> colour =
       std::nullopt;     ///< by default the next of line_colour(); category_colour(i) matches pictures
-  bool marked = false;  ///< a disc at each point: values measured one by one, not a course
+  bool marked = false;  ///< a disc and an error bar at each point: values measured one by one, not a course
 };
 
 /// A histogram: bar i stands between edges i and i + 1.

@@ -2,8 +2,8 @@
 """Cost of a particle and step over the number of particles, the ratio of sizes and the threads. See ../README.md.
 
 Equal spheres are jammed without gravity by growth in a small periodic box and tiled to any number. Mixtures are cut out of
-that packing, between six walls: large spheres take the place of the small ones in their way, which leaves the others their
-contacts.
+that packing, large spheres in the place of the small ones in their way, and settle between walls under strong gravity, so
+that all have about the same contacts a particle.
 """
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ FRACTION = 0.639  # solid volume over the box's: about random close packing, and
 LARGE_SHARE = 1 / 8  # of the small spheres' volume, in a mixture
 PARTICLE_STEPS = 1.5e9  # of a timed run: tens of seconds
 LEAST_STEPS, MOST_STEPS = 400, 40000
-SMALL = 100000  # small spheres of a mixture
+TIME_STEP = 5e-6  # [s]
+GRAVITY, SETTLING = 98.0, 0.1  # that bring a mixture to rest [m/s2], [s]
 
 SCENE = """
 title = "Jammed spheres"
 [dynamics]
-time_step = 5e-6
+time_step = {time_step}
 duration = {duration:.17g}
 [domain]
 min = [0, 0, 0]
@@ -42,6 +43,7 @@ name = "steel"
 density = 7800
 normal_stiffness = 1e7
 restitution = 0.42
+{gravity}
 {particles}
 {filling}
 {walls}
@@ -60,6 +62,10 @@ def sphere(radius: float) -> float:
     return 4 / 3 * math.pi * radius**3
 
 
+def scene(**parts: object) -> str:
+    return SCENE.format(**{"time_step": TIME_STEP, "gravity": "", **parts})
+
+
 def walls(side: float) -> str:
     text = ""
     for axis in range(3):
@@ -75,10 +81,10 @@ def group(count: int | None, radius: float) -> str:
     return text if count is None else text + f"count = {count}\nradius = {radius:.17g}\n"
 
 
-def packstone(scene: str, folder: pathlib.Path, threads: int) -> tuple[dict, int]:
-    """Runs a scene; returns run.json and the peak memory [byte]."""
+def packstone(text: str, folder: pathlib.Path, threads: int) -> tuple[dict, int]:
+    """Runs a scene's text; returns run.json and the peak memory [byte]."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "scene_in.toml").write_text(scene)
+    (folder / "scene_in.toml").write_text(text)
     command = [os.environ.get("PACKSTONE", REPOSITORY / "build" / "packstone"), "run", folder / "scene_in.toml", "-o",
                folder / "run", "--overwrite", "--quiet", "--threads", str(threads)]  # fmt: skip
     with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
@@ -97,8 +103,8 @@ def jammed_tile(folder: pathlib.Path) -> tuple[np.ndarray, float]:
     side = (TILE * sphere(RADIUS) / FRACTION) ** (1 / 3)
     if not (folder / "run" / "run.json").exists():
         filling = '[filling]\nkind = "growth"\nduration = 0.05'
-        packstone(SCENE.format(duration=0.1, side=3 * [side], periodic='["x", "y", "z"]', walls="",
-                               particles=group(TILE, RADIUS), filling=filling), folder, 2)  # fmt: skip
+        packstone(scene(duration=0.1, side=3 * [side], periodic='["x", "y", "z"]', walls="",
+                        particles=group(TILE, RADIUS), filling=filling), folder, 2)  # fmt: skip
     return last_snapshot(folder)["VTKHDF/Points"][:], side
 
 
@@ -114,10 +120,11 @@ def written(points: np.ndarray, radii: np.ndarray, file: pathlib.Path) -> None:
                comments="")  # fmt: skip
 
 
-def mixture(packing: np.ndarray, tile: float, ratio: float, file: pathlib.Path) -> tuple[float, int, int]:
-    """A file of large spheres among about SMALL small ones; returns the box's side and how many there are of each."""
-    large = 0 if ratio == 1 else max(1, round(SMALL * LARGE_SHARE / ratio**3))
-    side = ((SMALL + large * ratio**3) * sphere(RADIUS) / FRACTION) ** (1 / 3)
+def mixture(packing: np.ndarray, tile: float, ratio: float, small: int,
+            file: pathlib.Path) -> tuple[float, int, int]:  # fmt: skip
+    """A file of large spheres among about so many small ones; returns the box's side and how many there are of each."""
+    large = 0 if ratio == 1 else max(1, round(small * LARGE_SHARE / ratio**3))
+    side = ((small + large * ratio**3) * sphere(RADIUS) / FRACTION) ** (1 / 3)
     points = repeated(packing, tile, 3 * (math.ceil(side / tile),))
     points = points[np.all((points >= RADIUS) & (points <= side - RADIUS), axis=1)]
     radius, random, centres = ratio * RADIUS, np.random.default_rng(1), np.empty((0, 3))
@@ -135,12 +142,9 @@ def from_file(file: pathlib.Path) -> str:
     return f'[filling]\nkind = "file"\npath = "{file}"'
 
 
-def timed(folder: pathlib.Path, file: pathlib.Path, side: list[float], periodic: str, wall: str, particles: int,
-          threads: int) -> dict:  # fmt: skip
+def timed(folder: pathlib.Path, particles: int, threads: int, **parts: object) -> dict:
     steps = int(min(MOST_STEPS, max(LEAST_STEPS, PARTICLE_STEPS / particles)))
-    scene = SCENE.format(duration=steps * 5e-6, side=side, periodic=periodic, walls=wall,
-                         particles=group(None, RADIUS), filling=from_file(file))  # fmt: skip
-    record, memory = packstone(scene, folder, threads)
+    record, memory = packstone(scene(duration=steps * TIME_STEP, particles=group(None, RADIUS), **parts), folder, threads)
     history = np.genfromtxt(folder / "run" / "history.csv", delimiter=",", names=True)
     return {"particles": particles, "threads": threads, "ns": 1e9 * record["loop_seconds"] / particles / record["steps"],
             "lists": record["list_seconds"] / record["loop_seconds"], "builds": record["list_builds"],
@@ -160,20 +164,25 @@ def over_particles(folder: pathlib.Path, numbers: list[int], threads: list[int])
             written(points, np.full(len(points), RADIUS), file)
         count = TILE * math.prod(tiles)
         for t in threads:
-            row = timed(folder / f"n{number}", file, [side * n for n in tiles], '["x", "y", "z"]', "", count, t)
+            row = timed(folder / f"n{number}", count, t, filling=from_file(file), side=[side * n for n in tiles],
+                        periodic='["x", "y", "z"]', walls="")  # fmt: skip
             rows.append({"case": "equal spheres", "ratio": 1, **row})
             print(line(rows[-1]), flush=True)
     return rows
 
 
-def over_ratios(folder: pathlib.Path, ratios: list[float], threads: list[int]) -> list[dict]:
+def over_ratios(folder: pathlib.Path, ratios: list[float], small: int, threads: list[int]) -> list[dict]:
     packing, tile = jammed_tile(folder / "tile")
+    gravity = f"[gravity]\nacceleration = [0, 0, {-GRAVITY}]"
     rows = []
     for ratio in ratios:
-        file = folder / f"ratio{ratio:g}.csv"
-        side, small, large = mixture(packing, tile, ratio, file)
+        file, bed = folder / f"ratio{ratio:g}.csv", folder / f"ratio{ratio:g}"
+        side, kept, large = mixture(packing, tile, ratio, small, file)
+        box = {"side": 3 * [side], "periodic": "[]", "walls": walls(side), "gravity": gravity}
+        packstone(scene(duration=SETTLING, particles=group(None, RADIUS), filling=from_file(file), **box), bed, 2)
+        settled = sorted((bed / "run" / "snapshots").glob("snapshot_*.vtkhdf"))[-1]
         for t in threads:
-            row = timed(folder / f"timed_ratio{ratio:g}", file, 3 * [side], "[]", walls(side), small + large, t)
+            row = timed(folder / f"timed_ratio{ratio:g}", kept + large, t, filling=from_file(settled), **box)
             rows.append({"case": f"{large} large among small", "ratio": ratio, **row})
             print(line(rows[-1]), flush=True)
     return rows
@@ -193,12 +202,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--numbers", nargs="*", type=int, default=[8000, 32000, 100000, 300000, 1000000, 3000000])
     parser.add_argument("--ratios", nargs="*", type=float, default=[1, 2, 5, 10, 20, 50])
+    parser.add_argument("--small", type=int, default=100000, help="small spheres of a mixture")
     parser.add_argument("--threads", nargs="+", type=int, default=[1, 2])
     parser.add_argument("--folder", type=pathlib.Path, default=REPOSITORY / "build" / "bench" / "scaling")
     options = parser.parse_args()
     print(HEADER, flush=True)
     rows = over_particles(options.folder, options.numbers, options.threads)
-    rows += over_ratios(options.folder, options.ratios, options.threads)
+    rows += over_ratios(options.folder, options.ratios, options.small, options.threads)
     (options.folder / "scaling.json").write_text(json.dumps(rows, indent=1))
     (options.folder / "scaling.md").write_text("\n".join([HEADER, *map(line, rows)]) + "\n")
 
