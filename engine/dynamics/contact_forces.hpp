@@ -105,9 +105,7 @@ class ContactForces {
     if constexpr (Tangential::active) {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
       const simd::Vector<Real> spin =
-          alike ? Real(in.growth.scale) * first.radius * (first.angular_velocity + second.angular_velocity)
-                : Real(in.growth.scale) *
-                      (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
+          Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
       const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
       simd::Vector<Real> spring = springs.load<L>(row);
