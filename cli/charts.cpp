@@ -177,7 +177,7 @@ viz::Chart mixture(const std::vector<RunReader>& runs) {
         {small_per_big(run, snapshot), fraction->value.value_or(std::nan("")), fraction->uncertainty.value_or(0)});
   }
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.ratio < b.ratio; });
-  viz::Series series{.name = "bulk, with its standard deviation", .x = {}, .y = {}, .marked = true};
+  viz::Series series{.name = "fraction", .x = {}, .y = {}, .marked = true};
   for (const Point& p : points) {
     series.x.push_back(p.ratio);
     series.y.push_back(p.fraction);
@@ -186,7 +186,7 @@ viz::Chart mixture(const std::vector<RunReader>& runs) {
   viz::Chart chart;
   chart.options.title = "Packing fraction of a mixture of two sizes";
   chart.options.x_label = "Small particles for each big one";
-  chart.options.y_label = "Solid fraction of the bed's bulk";
+  chart.options.y_label = "Solid fraction of the bed's bulk \u00b1 standard deviation";
   constexpr double room = 1.05;  // so that the last mark is whole
   chart.options.x_range = std::pair{0.0, room * series.x.back()};
   chart.series = {series};

@@ -2,6 +2,7 @@
 // not load the renderer's libraries: they take longer to load than a small run, and more memory than 100,000 particles.
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 

@@ -38,8 +38,7 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
       {"contact_velocity",
        "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
        "step before, of first order in damping, stable to larger steps of a damped bed, exact for friction's springs. "
-       "auto: half-step for linear "
-       "contacts with friction or beyond the recommended time step, else step"},
+       "auto: half-step for linear contacts with friction or beyond the recommended time step, else step"},
       {"auto", "step", "half-step"}, d.contact_velocity, has_default);
 }
 

@@ -136,7 +136,8 @@ std::vector<Key> keys(const Chart& chart, double font) {
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     result.push_back({chart.series[i].name, std::nullopt, line_stroke(chart.series[i], i, font)});
-    if (!chart.series[i].spread.empty()) result.back().fill = Fill{colour_of(chart.series[i], i), band_opacity};
+    if (!chart.series[i].spread.empty() && !chart.series[i].marked)
+      result.back().fill = Fill{colour_of(chart.series[i], i), band_opacity};
   }
   std::erase_if(result, [](const Key& key) { return key.name.empty(); });
   if (result.size() == 1 && !result.front().fill) result.clear();  // the axis says it already
@@ -178,8 +179,9 @@ std::vector<std::pair<std::size_t, std::size_t>> runs(const Series& s, const Cha
   return result;
 }
 
-void draw_band(Drawing& drawing, const PlotFrame& frame, const Series& s, std::pair<std::size_t, std::size_t> run,
-               const ChartOptions& options, Fill fill) {
+/// A band around a line, or a bar at each mark.
+void draw_spread(Drawing& drawing, const PlotFrame& frame, const Series& s, std::pair<std::size_t, std::size_t> run,
+                 const ChartOptions& options, Fill fill, const Stroke& stroke) {
   std::vector<Point> sides[2];
   for (std::size_t i = run.first; i < run.second; ++i) {
     for (int k = 0; k < 2; ++k) {
@@ -189,15 +191,11 @@ void draw_band(Drawing& drawing, const PlotFrame& frame, const Series& s, std::p
           frame.place(s.x[i] + (options.profile ? shift : 0), options.log_y ? std::max(y, frame.y.low) : y));
     }
   }
-  drawing.band(sides[0], sides[1], fill);
-}
-
-void draw_error_bars(Drawing& drawing, const PlotFrame& frame, const Series& s, std::pair<std::size_t, std::size_t> run,
-                     const Stroke& stroke) {
-  for (std::size_t i = run.first; i < run.second; ++i) {
-    if (!std::isfinite(s.spread[i])) continue;
-    drawing.line(frame.place(s.x[i], s.y[i] - s.spread[i]), frame.place(s.x[i], s.y[i] + s.spread[i]), stroke);
+  if (!s.marked) {
+    drawing.band(sides[0], sides[1], fill);
+    return;
   }
+  for (std::size_t i = 0; i < sides[0].size(); ++i) drawing.line(sides[0][i], sides[1][i], stroke);
 }
 
 void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
@@ -218,11 +216,7 @@ void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
     const auto pieces = runs(s, chart.options);
     for (const auto& run : pieces) {
       if (s.spread.empty()) continue;
-      if (s.marked) {
-        draw_error_bars(drawing, frame, s, run, line_stroke(s, k, font));
-      } else {
-        draw_band(drawing, frame, s, run, chart.options, Fill{colour_of(s, k), band_opacity});
-      }
+      draw_spread(drawing, frame, s, run, chart.options, Fill{colour_of(s, k), band_opacity}, line_stroke(s, k, font));
     }
     for (const auto& [first, last] : pieces) {
       std::vector<Point> points;

@@ -8,7 +8,8 @@
 namespace packstone::engine {
 
 /// Masses and moments of inertia are those of solid spheres of full size and the material's density. Starting
-/// velocities are taken as those half a step before time 0, where the leapfrog scheme keeps them.
+/// velocities are taken as those half a step before time 0, where the leapfrog scheme keeps them; the
+/// particles hold them apart from what contacts see unless the scene's contact_velocity is half_step.
 Particles make_particles(const Scene& scene, const StartingState& start);
 
 }  // namespace packstone::engine

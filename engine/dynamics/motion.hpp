@@ -33,12 +33,12 @@ template <bool record, bool turning, class L>
   };
   const Real dt(in.dt);
   const Vector gravity{Real(in.gravity[0]), Real(in.gravity[1]), Real(in.gravity[2])};
-  const bool leads = !p.half_velocity.empty();
+  const bool leads = !p.half_velocity.empty();  // else the rows hold the half step's velocities
   const Vector before = leads ? load(p.half_velocity) : self.velocity;
   const Vector acceleration = fused(self.inverse_mass, loads.force, gravity);
   const Vector half = fused(dt, acceleration, before);
   const Vector position = fused(dt, half, self.position);
-  const Vector velocity = fused(Real(in.velocity_lead), acceleration, half);
+  const Vector velocity = leads ? fused(Real(in.velocity_lead), acceleration, half) : half;
   if (leads) store(p.half_velocity, half);
   double* row = reinterpret_cast<double*>(&p.next.rows[group.slot]);
   const Real low[4] = {position.x, position.y, position.z, self.radius};
@@ -62,7 +62,7 @@ template <bool record, bool turning, class L>
     angular_acceleration = L::load(&p.inverse_inertia[group.slot]) * loads.torque;
     const Vector half_turn = fused(dt, angular_acceleration, half_turn_before);
     if (leads) store(p.half_angular_velocity, half_turn);
-    const Vector turn = fused(Real(in.velocity_lead), angular_acceleration, half_turn);
+    const Vector turn = leads ? fused(Real(in.velocity_lead), angular_acceleration, half_turn) : half_turn;
     const Real spin[4] = {turn.x, turn.y, turn.z, Real(0.0)};
     L::template write_columns<Spin::doubles>(reinterpret_cast<double*>(&p.next.spins[group.slot]), spin);
   }

@@ -21,7 +21,9 @@ struct StepInput {
   Growth growth;
   Vec3 gravity = Vec3::Zero();  ///< [m/s2]; zero before it starts
   double overlap_limit = 0;     ///< share of the smaller full radius
-  double velocity_lead = 0;  ///< by which the velocity that contacts see in the next step is ahead of the half step [s]
+  /// By which the velocity that contacts see in the next step is ahead of the half step [s]; none where the particles
+  /// were made for ContactVelocity::half_step.
+  double velocity_lead = 0;
 };
 
 /// A contact beyond the overlap limit.

@@ -11,6 +11,7 @@
 #include "core/scene.hpp"
 #include "engine/dynamics/make_particles.hpp"
 #include "engine/dynamics/step.hpp"
+#include "half_step.hpp"
 #include "tests/sample_scene.hpp"
 
 namespace packstone::engine::testing {
@@ -79,13 +80,13 @@ class HandMade {
     return static_cast<std::size_t>(std::find(particles.id.begin(), particles.id.end(), id) - particles.id.begin());
   }
   Vec3 position(std::int32_t id) const { return particles.now.rows[slot(id)].position; }
-  Vec3 velocity(std::int32_t id) const { return particles.half_step_velocity(slot(id)); }
-  Vec3 angular_velocity(std::int32_t id) const { return particles.half_step_turning(slot(id)); }
+  Vec3 velocity(std::int32_t id) const { return half_step_velocity(particles, slot(id)); }
+  Vec3 angular_velocity(std::int32_t id) const { return half_step_turning(particles, slot(id)); }
   double mass(std::int32_t id) const { return particles.mass[slot(id)]; }
   double inertia(std::int32_t id) const { return 1 / particles.inverse_inertia[slot(id)]; }
   Vec3 momentum() const {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < particles.slots(); ++i) sum += particles.mass[i] * particles.half_step_velocity(i);
+    for (std::size_t i = 0; i < particles.slots(); ++i) sum += particles.mass[i] * half_step_velocity(particles, i);
     return sum;
   }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Cost of a particle and step over the number of particles, the ratio of sizes and the threads. See ../README.md.
 
-Equal spheres are jammed without gravity by growth in a small periodic box and tiled to any number. Mixtures are cut out of
-that packing, large spheres in the place of the small ones in their way, and settle between walls under strong gravity, so
-that all have about the same contacts a particle.
+Equal spheres are jammed without gravity by growth in a small periodic box and tiled to any number. Mixtures are cut
+out of that packing, large spheres in the place of the small ones in their way, and settle between walls under strong
+gravity, so that all have about the same contacts a particle.
 """
 from __future__ import annotations
 
@@ -144,7 +144,8 @@ def from_file(file: pathlib.Path) -> str:
 
 def timed(folder: pathlib.Path, particles: int, threads: int, **parts: object) -> dict:
     steps = int(min(MOST_STEPS, max(LEAST_STEPS, PARTICLE_STEPS / particles)))
-    record, memory = packstone(scene(duration=steps * TIME_STEP, particles=group(None, RADIUS), **parts), folder, threads)
+    text = scene(duration=steps * TIME_STEP, particles=group(None, RADIUS), **parts)
+    record, memory = packstone(text, folder, threads)
     history = np.genfromtxt(folder / "run" / "history.csv", delimiter=",", names=True)
     return {"particles": particles, "threads": threads, "ns": 1e9 * record["loop_seconds"] / particles / record["steps"],
             "lists": record["list_seconds"] / record["loop_seconds"], "builds": record["list_builds"],
