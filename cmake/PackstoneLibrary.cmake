@@ -1,3 +1,15 @@
+include(CheckCXXCompilerFlag)
+
+# GCC copies structs of 512-bit registers by halves, and the loads of whole ones that follow wait for both. For the loops
+# over particles; everywhere it would bring false warnings of GCC's about strings.
+set(PACKSTONE_WHOLE_COPIES "")
+if(PACKSTONE_NATIVE)
+  check_cxx_compiler_flag(-mmove-max=512 PACKSTONE_CAN_COPY_WHOLE_REGISTERS)
+  if(PACKSTONE_CAN_COPY_WHOLE_REGISTERS)
+    set(PACKSTONE_WHOLE_COPIES -mmove-max=512 -mstore-max=512)
+  endif()
+endif()
+
 # packstone_library(NAME SOURCES... ) makes the target packstone_NAME with the alias packstone::NAME and the settings
 # that all parts share. Headers are included as "NAME/header.hpp", from the source tree and from an installation alike.
 function(packstone_compile_settings target)

@@ -40,6 +40,10 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
        "step before, of first order in damping, stable to larger steps of a damped bed, exact for friction's springs. "
        "auto: half-step for linear contacts with friction or beyond the recommended time step, else step"},
       {"auto", "step", "half-step"}, d.contact_velocity, has_default);
+  v.choice({"precision",
+            "Of the forces between particles. mixed: single, from positions in fixed point; faster, and exact to about "
+            "1e-7 of the radii in the overlaps. Motion, walls and energies are double either way"},
+           {"double", "mixed"}, d.precision, has_default);
 }
 
 void describe_domain(OptionVisitor& v, DomainSpec& d) {

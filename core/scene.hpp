@@ -28,11 +28,13 @@ enum Face { x_min, x_max, y_min, y_max, z_min, z_max, face_count };
 /// Velocity that damping and friction see: that of the step's instant, of second order; that of half a step before, of
 /// first order, but stable to larger steps of a damped bed; or whichever suits the step.
 enum class ContactVelocity { automatic, step, half_step };
+enum class Precision { double_precision, mixed };
 
 struct DynamicsSpec {
   std::optional<double> time_step;  ///< [s]; none: chosen from the stiffest contact
   double duration = 0;              ///< [s]
   ContactVelocity contact_velocity = ContactVelocity::automatic;
+  Precision precision = Precision::double_precision;
 };
 
 struct DomainSpec {

@@ -16,6 +16,7 @@
 #include "engine/filling/filling.hpp"
 #include "engine/filling/growth.hpp"
 #include "engine/filling/population.hpp"
+#include "engine/force_resolution.hpp"
 #include "engine/history_row.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -77,6 +78,7 @@ Simulation::Simulation(const Scene& scene, const StartingState& start)
       dynamics_(make_newtonian(scene, domain_, planes_)),
       monitor_(scene_, domain_, dt_, limit_.recommended) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
+  warn_of_lost_weight(scene, population_, warnings_);
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
   steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));

@@ -12,6 +12,8 @@ namespace packstone::engine {
 /// slides with the contact where it would exceed mu |F_n|. The force follows the spring, not sgn(v_s) as printed.
 struct CundallStrack {
   static constexpr bool active = true;
+  /// Of a spring [m2]; the reciprocal of less is not a number in single precision.
+  static constexpr double shortest_squared = 1e-36;
 
   template <class T>
   struct Parameters {
@@ -49,7 +51,7 @@ struct CundallStrack {
     simd::Vector<T> now = fused(-along, normal, spring);
     // The contact plane turns by a small angle, whose tangent squared is x; the spring keeps its length.
     const T turned_squared = squared_length(now);
-    const T x = only(T(0.0) < turned_squared, along * along * rough_reciprocal(turned_squared));
+    const T x = only(T(shortest_squared) < turned_squared, along * along * rough_reciprocal(turned_squared));
     const T stretch = fused(fused(T(-1.0 / 8), x, T(0.5)), x, T(1.0));  // sqrt(1 + x)
     const simd::Vector<T> displacement = T(dt) * sliding_velocity;
     now = fused(stretch, now, displacement);

@@ -59,6 +59,8 @@ class NeighbourList {
   /// Neighbours, each pair counted twice.
   std::int64_t pairs() const { return pairs_; }
 
+  /// Of a particle's radius and margin [m].
+  double largest_extent() const { return grid_.largest_extent(); }
   /// Where each particle was when the list was built [m].
   const VectorArray& reference() const { return reference_; }
   /// By how much all are expected to have moved by the end of the coming step [m]: a motion that all share brings no

@@ -35,8 +35,8 @@ template <class L>
 struct Place {
   using Real = typename L::Real;
   typename L::Mask touching;
-  simd::Vector<Real> separation;  ///< from the second body to the first
-  Real inverse_distance;          ///< 1/|separation|
+  const simd::Vector<Real>& separation;  ///< from the second body to the first
+  Real inverse_distance;                 ///< 1/|separation|
   Real overlap;
 };
 
@@ -77,9 +77,9 @@ class ContactForces {
 
   /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k.
   /// Alike bodies do not grow; for them sums.deepest is the overlap itself.
-  template <bool record, bool alike, class L, class Who>
+  template <bool record, bool alike, class L, class Number, class Who>
   [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
-                                  const Laws<L>& laws, Springs& springs, std::int64_t row, const Who& who,
+                                  const Laws<L>& laws, Springs<Number>& springs, std::int64_t row, const Who& who,
                                   const StepInput& in, Recorder* recorder, Loads<L>& loads,
                                   ContactSums<typename L::Real>& sums, BlockResult& result) const {
     using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
@@ -108,9 +108,9 @@ class ContactForces {
           Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
       const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
-      simd::Vector<Real> spring = springs.load<L>(row);
+      simd::Vector<Real> spring = springs.template load<L>(row);
       const auto friction = Tangential::advance(laws.tangential, spring, n, sliding_velocity, total, in.dt);
-      springs.store<L>(row, at.touching, spring);
+      springs.template store<L>(row, at.touching, spring);
       tangential_force = friction.force;
       loads.force = fused_where(at.touching, Real(1.0), friction.force, loads.force);
       loads.torque =

@@ -9,8 +9,8 @@ namespace packstone::engine {
 namespace {
 
 /// Calls visit(id, springs, row, lane, partner) for each entry and wall of the group.
-template <class SpringsOf, class Visit>
-void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t group_number, SpringsOf& history,
+template <class History, class Visit>
+void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t group_number, History& history,
                       std::size_t boundaries, Visit&& visit) {
   const NeighbourGroup& group = list.groups()[group_number];
   for (int lane = 0; lane < list.width(); ++lane) {
@@ -23,15 +23,19 @@ void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t
     }
     if (group.shared && lane > 0) continue;
     for (std::size_t w = 0; w < boundaries; ++w) {
-      const auto row = static_cast<std::int64_t>(w * list.groups().size() + group_number);
-      visit(id, history.walls, row, lane, -1 - static_cast<std::int64_t>(w));
+      const int width = history.walls.width();
+      const auto group_row = static_cast<std::int64_t>(w * list.groups().size() + group_number);
+      const std::int64_t row = group_row * (list.width() / width) + lane / width;
+      visit(id, history.walls, row, lane % width, -1 - static_cast<std::int64_t>(w));
     }
   }
 }
 
 }  // namespace
 
-StoredContacts ContactHistory::store(const NeighbourList& list, const Particles& p, std::size_t boundaries) const {
+template <class Number>
+StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Particles& p,
+                                             std::size_t boundaries) const {
   StoredContacts stored;
   stored.end.assign(p.size() + 1, 0);
   if (list.builds() == 0) return stored;
@@ -40,30 +44,32 @@ StoredContacts ContactHistory::store(const NeighbourList& list, const Particles&
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
     for (std::ptrdiff_t g = 0; g < groups; ++g) {
       for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
-                       [&](std::int64_t id, const Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+                       [&](std::int64_t id, const auto& springs, std::int64_t row, int lane, std::int64_t partner) {
                          if (springs.touched(row, lane)) visit(id, springs, row, lane, partner);
                        });
     }
   };
   // Counts move one place on, so that filling in leaves each particle's end where it belongs.
-  for_all([&](std::int64_t id, const Springs&, std::int64_t, int, std::int64_t) { ++stored.end[id + 1]; });
+  for_all([&](std::int64_t id, const auto&, std::int64_t, int, std::int64_t) { ++stored.end[id + 1]; });
   for (std::size_t id = 0; id < p.size(); ++id) stored.end[id + 1] += stored.end[id];
   stored.contacts.resize(static_cast<std::size_t>(stored.end.back()));
-  for_all([&](std::int64_t id, const Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+  for_all([&](std::int64_t id, const auto& springs, std::int64_t row, int lane, std::int64_t partner) {
     stored.contacts[stored.end[id]++] = {partner, springs.get(row, lane)};
   });
   return stored;
 }
 
-void ContactHistory::restore(const StoredContacts& stored, const NeighbourList& list, const Particles& p,
-                             std::size_t boundaries) {
+template <class Number>
+void ContactHistory<Number>::restore(const StoredContacts& stored, const NeighbourList& list, const Particles& p,
+                                     std::size_t boundaries, int wall_width) {
   pairs.resize(list.rows(), list.width());
-  walls.resize(static_cast<std::int64_t>(boundaries * list.groups().size()), list.width());
+  const auto group_rows = static_cast<std::int64_t>(boundaries * list.groups().size());
+  walls.resize(group_rows * (list.width() / wall_width), wall_width);
   const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
   for (std::ptrdiff_t g = 0; g < groups; ++g) {
     for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
-                     [&](std::int64_t id, Springs& springs, std::int64_t row, int lane, std::int64_t partner) {
+                     [&](std::int64_t id, auto& springs, std::int64_t row, int lane, std::int64_t partner) {
                        for (std::int64_t c = id == 0 ? 0 : stored.end[id - 1]; c < stored.end[id]; ++c) {
                          if (stored.contacts[c].partner != partner) continue;
                          springs.set(row, lane, stored.contacts[c].spring);
@@ -72,5 +78,8 @@ void ContactHistory::restore(const StoredContacts& stored, const NeighbourList& 
                      });
   }
 }
+
+template struct ContactHistory<double>;
+template struct ContactHistory<float>;
 
 }  // namespace packstone::engine

@@ -12,18 +12,19 @@ namespace packstone::engine {
 
 /// One spring a lane and row [m]. Springs of contacts that did not touch in the step before are zero, and are kept so
 /// by a bit rather than by writing zeros.
+template <class Number>
 class Springs {
  public:
   void resize(std::int64_t rows, int width) {
     width_ = width;
-    values_.assign(static_cast<std::size_t>(rows) * width * 3, 0.0);
+    values_.assign(static_cast<std::size_t>(rows) * width * 3, Number(0));
     touched_.assign(static_cast<std::size_t>(rows), 0);
   }
 
   template <class Lanes>
   simd::Vector<typename Lanes::Real> load(std::int64_t row) const {
     using simd::only;
-    const double* at = &values_[index(row)];
+    const Number* at = &values_[index(row)];
     const simd::Vector<typename Lanes::Real> spring{Lanes::load(at), Lanes::load(at + width_),
                                                     Lanes::load(at + 2 * width_)};
     return only(Lanes::mask(touched_[row]), spring);
@@ -31,7 +32,7 @@ class Springs {
   template <class Lanes>
   void store(std::int64_t row, typename Lanes::Mask touching, const simd::Vector<typename Lanes::Real>& spring) {
     using simd::bits;
-    double* at = &values_[index(row)];
+    Number* at = &values_[index(row)];
     Lanes::store(at, spring.x);
     Lanes::store(at + width_, spring.y);
     Lanes::store(at + 2 * width_, spring.z);
@@ -42,14 +43,15 @@ class Springs {
     if (touched_[row] != 0) touched_[row] = 0;
   }
 
+  int width() const { return width_; }
   bool touched(std::int64_t row, int lane) const { return (touched_[row] >> lane & 1u) != 0; }
   Vec3 get(std::int64_t row, int lane) const {
-    const double* at = &values_[index(row) + lane];
+    const Number* at = &values_[index(row) + lane];
     return {at[0], at[width_], at[2 * width_]};
   }
   void set(std::int64_t row, int lane, const Vec3& spring) {
-    double* at = &values_[index(row) + lane];
-    for (int axis = 0; axis < 3; ++axis) at[axis * width_] = spring[axis];
+    Number* at = &values_[index(row) + lane];
+    for (int axis = 0; axis < 3; ++axis) at[axis * width_] = static_cast<Number>(spring[axis]);
     touched_[row] = static_cast<std::uint16_t>(touched_[row] | 1u << lane);
   }
 
@@ -57,7 +59,7 @@ class Springs {
   std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
 
   int width_ = 1;
-  AlignedVector<double> values_;        ///< (rows, 3, width)
+  AlignedVector<Number> values_;        ///< (rows, 3, width)
   std::vector<std::uint16_t> touched_;  ///< a bit a lane
 };
 
@@ -71,13 +73,16 @@ struct StoredContacts {
   std::vector<Contact> contacts;
 };
 
+/// Number: of the forces between particles.
+template <class Number>
 struct ContactHistory {
-  Springs pairs;  ///< rows of the list
-  Springs walls;  ///< boundary by boundary, a row for each group of the list
+  Springs<Number> pairs;  ///< rows of the list
+  Springs<double> walls;  ///< boundary by boundary, group by group, in rows of as many lanes as motion has
 
   StoredContacts store(const NeighbourList& list, const Particles& particles, std::size_t boundaries) const;
+  /// wall_width: lanes of motion, which go into the list's a whole number of times.
   void restore(const StoredContacts& stored, const NeighbourList& list, const Particles& particles,
-               std::size_t boundaries);
+               std::size_t boundaries, int wall_width);
 };
 
 }  // namespace packstone::engine

@@ -34,6 +34,12 @@ struct ContactSums {
     deepest = larger(other.deepest, deepest);
   }
 
+  /// Each of them through a function.
+  template <class Function>
+  auto map(const Function& f) const -> ContactSums<decltype(f(damping_power))> {
+    return {f(damping_power), f(growth_power), f(sliding_loss), f(elastic), f(deepest)};
+  }
+
   /// share: of these energies that is this side's.
   void add_to(StepSums& to, const StepInput& in, double share) const {
     using simd::sum;

@@ -5,6 +5,8 @@
 #include "engine/contact/hysteretic.hpp"
 #include "engine/contact/linear.hpp"
 #include "engine/dynamics/newtonian_with.hpp"
+#include "engine/dynamics/precision.hpp"
+#include "engine/simd/lanes.hpp"
 
 namespace packstone::engine {
 
@@ -36,16 +38,27 @@ std::vector<Plane> make_planes(const Scene& scene) {
   return planes;
 }
 
-std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+namespace {
+
+template <class Precision>
+std::unique_ptr<Dynamics> newtonian_in(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   switch (scene.contact.normal) {
     case NormalModel::hysteretic:
-      return newtonian_with<Hysteretic>(scene, domain, planes);
+      return newtonian_with<Hysteretic, Precision>(scene, domain, planes);
     case NormalModel::linear:
       break;
   }
   return scene.contact.release == Release::zero_force
-             ? newtonian_with<Linear<Release::zero_force>>(scene, domain, planes)
-             : newtonian_with<Linear<Release::zero_overlap>>(scene, domain, planes);
+             ? newtonian_with<Linear<Release::zero_force>, Precision>(scene, domain, planes)
+             : newtonian_with<Linear<Release::zero_overlap>, Precision>(scene, domain, planes);
+}
+
+}  // namespace
+
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+  return scene.dynamics.precision == Precision::mixed
+             ? newtonian_in<MixedPrecision<simd::WidestSingle>>(scene, domain, planes)
+             : newtonian_in<DoublePrecision<simd::Widest>>(scene, domain, planes);
 }
 
 }  // namespace packstone::engine

@@ -2,6 +2,8 @@
 
 namespace packstone::engine {
 
-template std::unique_ptr<Dynamics> newtonian_with<Hysteretic>(const Scene&, const Domain&, const std::vector<Plane>&);
+template std::unique_ptr<Dynamics> newtonian_with<Hysteretic, DoublePrecision<simd::Widest>>(const Scene&,
+                                                                                             const Domain&,
+                                                                                             const std::vector<Plane>&);
 
 }  // namespace packstone::engine

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,20 +12,21 @@
 #include "engine/dynamics/contact_history.hpp"
 #include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/precision.hpp"
 #include "engine/dynamics/step.hpp"
 #include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
 
 namespace packstone::engine {
 
-template <class Lanes, class Normal, class Tangential>
+template <class Precision, class Normal, class Tangential>
 class NewtonianStep final : public Dynamics {
+  using Lanes = typename Precision::Lanes;
+  using PairLanes = typename Precision::PairLanes;
+
  public:
   NewtonianStep(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes)
-      : domain_(domain), planes_(planes), list_(domain, Lanes::width), forces_(scene.materials) {
-    const Vec3 side = domain.size();
-    for (int axis = 0; axis < 3; ++axis) inverse_side_[axis] = domain.periodic[axis] ? 1 / side[axis] : 0;
-  }
+      : domain_(domain), planes_(planes), list_(domain, PairLanes::width), forces_(scene.materials) {}
 
   const NeighbourList& neighbours() const override { return list_; }
 
@@ -33,10 +35,11 @@ class NewtonianStep final : public Dynamics {
     if constexpr (Tangential::active) {
       const StoredContacts stored = history_.store(list_, particles, planes_.size());
       list_.build(particles, growth, dt);
-      history_.restore(stored, list_, particles, planes_.size());
+      history_.restore(stored, list_, particles, planes_.size(), Lanes::width);
     } else {
       list_.build(particles, growth, dt);
     }
+    if constexpr (Precision::compact) particles.make_compact(period_of_places());
   }
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
@@ -47,6 +50,8 @@ class NewtonianStep final : public Dynamics {
   }
 
  private:
+  using InDouble = DoublePrecision<Lanes>;
+
   /// How far ahead of their use rows are asked for [slots]: neighbours are read about a column of cells ahead.
   static constexpr std::int32_t rows_read_ahead = 1024, rows_written_ahead = 64;
 
@@ -94,19 +99,34 @@ class NewtonianStep final : public Dynamics {
     LaneSums<simd::Scalar> alone_sums;
     const GroupBlock& groups = list_.blocks()[block];
     const bool beyond_cache = p.slots() > slots_in_cache;
+    const Precision seen(p, domain_);
+    const InDouble rows(p, domain_);
+    const DoublePrecision<simd::Scalar> single_rows(p, domain_);
+    constexpr bool turning = Tangential::active;
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
-      if (beyond_cache) prefetch_for_next(p, g);
+      if (beyond_cache) prefetch_for_next(p, seen, g);
       if (group.shared) {
-        const auto self = bodies_alone<Lanes>(p, group.slot);
-        const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
+        const auto self = seen.template body_in_all_lanes<turning>(group.slot);
+        const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         const Loads<simd::Scalar> total{total_of(loads.force), total_of(loads.torque)};
-        finish<record, simd::Scalar>(p, g, bodies_alone<simd::Scalar>(p, group.slot), total, in, recorder, alone_sums,
-                                     result);
+        finish<record>(p, Seats{group.slot, 1, wall_row(g, 0)},
+                       single_rows.template bodies_in_line<turning>(group.slot), total, in, recorder, alone_sums,
+                       result);
+      } else if constexpr (Precision::compact) {
+        const auto self = seen.template bodies_in_line<turning>(group.slot);
+        const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
+        for (int part = 0; part < Precision::parts; ++part) {
+          const Seats seats{group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>,
+                            wall_row(g, part)};
+          const Loads<Lanes> widened{widened_part(loads.force, part), widened_part(loads.torque, part)};
+          finish<record>(p, seats, rows.template bodies_in_line<turning>(seats.slot), widened, in, recorder, sums,
+                         result);
+        }
       } else {
-        const auto self = bodies_in_line(p, group.slot);
-        const Loads<Lanes> loads = pair_loads<record, alike>(p, group, self, in, recorder, sums, result);
-        finish<record, Lanes>(p, g, self, loads, in, recorder, sums, result);
+        const auto self = rows.template bodies_in_line<turning>(group.slot);
+        const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
+        finish<record>(p, Seats{group.slot, group.lanes, wall_row(g, 0)}, self, loads, in, recorder, sums, result);
       }
     }
     sums.add_to(result, in);
@@ -116,25 +136,25 @@ class NewtonianStep final : public Dynamics {
 
   /// Asks for what the next group will read, and for what comes soon after: the rows of neighbours lie scattered, and a
   /// step waits for memory more than it computes (docs/performance.md).
-  [[gnu::always_inline]] void prefetch_for_next(Particles& p, std::int32_t g) const {
+  [[gnu::always_inline]] void prefetch_for_next(Particles& p, const Precision& seen, std::int32_t g) const {
     const std::size_t last = list_.groups().size() - 1;
     const NeighbourGroup& next = list_.groups()[std::min<std::size_t>(g + 1, last)];
-    const double* rows = numbers(p.now.rows.data());
     const std::uint32_t* entry = list_.row(next.first_row);
-    const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * Lanes::width;
-    for (; entry < end; entry += Lanes::width) {
-      for (int k = 0; k < Lanes::width; ++k) {
-        __builtin_prefetch(rows + entry[k]);
-        if constexpr (Tangential::active) __builtin_prefetch(numbers(p.now.spins.data()) + entry[k] / 2);
-      }
-    }
+    const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * PairLanes::width;
+    for (; entry < end; ++entry) seen.prefetch(*entry, Tangential::active);
     const auto slots = static_cast<std::int32_t>(p.slots());
-    const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - Lanes::width);
-    const std::int32_t write = std::min(next.slot + rows_written_ahead, slots - Lanes::width);
+    const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - PairLanes::width);
+    const std::int32_t write = std::min(next.slot + rows_written_ahead, slots - PairLanes::width);
     constexpr int for_writing = 1, into_second_level = 2;
-    for (int k = 0; k < Lanes::width; ++k) {
+    for (int k = 0; k < PairLanes::width; ++k) {
       __builtin_prefetch(&p.now.rows[std::max(read, 0) + k], 0, into_second_level);
       __builtin_prefetch(&p.next.rows[std::max(write, 0) + k], for_writing, into_second_level);
+    }
+    if constexpr (Precision::compact) {
+      for (int k = 0; k < PairLanes::width; k += 2) {  // two in a cache line
+        __builtin_prefetch(&p.now.compact_rows[std::max(read, 0) + k], 0, into_second_level);
+        __builtin_prefetch(&p.next.compact_rows[std::max(write, 0) + k], for_writing, into_second_level);
+      }
     }
   }
 
@@ -146,7 +166,7 @@ class NewtonianStep final : public Dynamics {
     };
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
-      for (int lane = 0; lane < Lanes::width; ++lane) {
+      for (int lane = 0; lane < PairLanes::width; ++lane) {
         const auto i = static_cast<std::size_t>(group.shared ? group.slot : group.slot + lane);
         if (!group.shared && (group.lanes >> lane & 1u) == 0) continue;
         const Row& first = p.now.rows[i];
@@ -166,81 +186,46 @@ class NewtonianStep final : public Dynamics {
     return std::nullopt;
   }
 
-  static simd::Vector<double> total_of(const simd::Vector<typename Lanes::Real>& v) {
+  static simd::Vector<double> total_of(const simd::Vector<typename PairLanes::Real>& v) {
     using simd::sum;
     return {sum(v.x), sum(v.y), sum(v.z)};
   }
 
-  static const double* numbers(const Row* rows) { return reinterpret_cast<const double*>(rows); }
-  static const double* numbers(const Spin* spins) { return reinterpret_cast<const double*>(spins); }
-
-  [[gnu::always_inline]] Bodies<Lanes> bodies_in_line(const Particles& p, std::int32_t slot) const {
-    typename Lanes::Real c[8];
-    Lanes::template read_columns<8, Row::doubles>(numbers(&p.now.rows[slot]), c);
-    Bodies<Lanes> b{{c[0], c[1], c[2]}, c[3], {c[4], c[5], c[6]}, c[7], {}};
-    if constexpr (Tangential::active) {
-      Lanes::template read_columns<3, Spin::doubles>(numbers(&p.now.spins[slot]), c);
-      b.angular_velocity = {c[0], c[1], c[2]};
-    }
-    return b;
+  static simd::Vector<typename Lanes::Real> widened_part(const simd::Vector<typename PairLanes::Real>& v, int part) {
+    return {PairLanes::widened(v.x, part), PairLanes::widened(v.y, part), PairLanes::widened(v.z, part)};
   }
 
-  [[gnu::always_inline]] static simd::Vector<typename Lanes::Real> spins_of(const Particles& p,
-                                                                            const std::uint32_t* neighbour) {
-    static_assert(Row::doubles == 2 * Spin::doubles);
-    std::uint32_t offset[Lanes::width];
-    for (int lane = 0; lane < Lanes::width; ++lane) offset[lane] = neighbour[lane] / 2;
-    typename Lanes::Real c[3];
-    Lanes::template read_columns<3>(numbers(p.now.spins.data()), offset, c);
-    return {c[0], c[1], c[2]};
-  }
-
-  template <class L>
-  Bodies<L> bodies_alone(const Particles& p, std::int32_t slot) const {
-    using Real = typename L::Real;
-    const auto vector = [](const Vec3& v) { return simd::Vector<Real>{Real(v[0]), Real(v[1]), Real(v[2])}; };
-    const Row& row = p.now.rows[slot];
-    Bodies<L> b{vector(row.position), Real(row.radius), vector(row.velocity), Real(row.inverse_mass), {}};
-    if constexpr (Tangential::active) b.angular_velocity = vector(p.now.spins[slot].angular_velocity);
-    return b;
+  /// Of the history of walls: boundary by boundary, then by group.
+  std::int64_t wall_row(std::int32_t group, int part) const {
+    return static_cast<std::int64_t>(group) * Precision::parts + part;
   }
 
   /// Forces from the particles in the group's rows.
   template <bool record, bool alike>
-  [[gnu::always_inline]] Loads<Lanes> pair_loads(const Particles& p, const NeighbourGroup& group,
-                                                 const Bodies<Lanes>& self, const StepInput& in, Recorder* recorder,
-                                                 LaneSums<Lanes>& sums, BlockResult& result) {
+  [[gnu::always_inline]] Loads<PairLanes> pair_loads(const Particles& p, const Precision& seen,
+                                                     const NeighbourGroup& group, const Bodies<PairLanes>& self,
+                                                     const StepInput& in, Recorder* recorder, LaneSums<Lanes>& sums,
+                                                     BlockResult& result) {
     using simd::any, simd::fused, simd::inverse_sqrt;
-    using Real = typename Lanes::Real;
-    Loads<Lanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
+    using Real = typename PairLanes::Real;
+    Loads<PairLanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
     ContactSums<Real> pairs;  // of this group, in registers
-    const double* rows = numbers(p.now.rows.data());
     const Real scale(in.growth.scale);
-    const Real reach_of_alike = scale * (self.radius + self.radius);
-    const auto laws_of_alike = forces_.template laws_of_alike<Lanes>(self.inverse_mass);
+    const auto laws_of_alike = forces_.template laws_of_alike<PairLanes>(self.inverse_mass);
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
       const std::uint32_t* neighbour = list_.row(row);
-      Bodies<Lanes> other;
-      Real c[4];
-      Lanes::template read_columns<alike ? 3 : 4>(rows, neighbour, c);
-      simd::Vector<Real> d = self.position - simd::Vector<Real>{c[0], c[1], c[2]};
-      if (group.images) d = nearest_image(d);
-      other.radius = alike ? self.radius : c[3];
-      const Real reach = alike ? reach_of_alike : scale * (self.radius + other.radius);
+      Bodies<PairLanes> other;
+      const simd::Vector<Real> d = seen.template separation<alike>(self, neighbour, group.images, other.radius);
+      const Real reach = scale * (self.radius + other.radius);
       const Real squared = squared_length(d);
       const auto touching = squared < reach * reach;
       if (!any(touching)) {
         if constexpr (Tangential::active) history_.pairs.none(row);
         continue;
       }
-      Lanes::template read_columns<alike ? 3 : 4>(rows + Row::velocity_at, neighbour, c);
-      other.velocity = {c[0], c[1], c[2]};
-      other.inverse_mass = alike ? self.inverse_mass : c[3];
-      if constexpr (Tangential::active) {
-        other.angular_velocity = spins_of(p, neighbour);
-      }
+      seen.template read_motion<alike, Tangential::active>(self, neighbour, other);
       const Real inverse_distance = inverse_sqrt(squared);
-      const Place<Lanes> at{touching, d, inverse_distance, reach - squared * inverse_distance};
+      const Place<PairLanes> at{touching, d, inverse_distance, Precision::overlap(reach, squared, inverse_distance)};
       const auto slots = [&](int lane) {
         return std::pair{group.shared ? group.slot : group.slot + lane, NeighbourList::slot(neighbour[lane])};
       };
@@ -249,8 +234,8 @@ class NewtonianStep final : public Dynamics {
         return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[second]};
       };
       const auto add = [&](const auto& laws) __attribute__((always_inline)) {
-        forces_.template add<record, alike, Lanes>(self, other, at, laws, history_.pairs, row, who, in, recorder, loads,
-                                                   pairs, result);
+        forces_.template add<record, alike, PairLanes>(self, other, at, laws, history_.pairs, row, who, in, recorder,
+                                                       loads, pairs, result);
       };
       if constexpr (alike) {
         add(laws_of_alike);
@@ -259,30 +244,35 @@ class NewtonianStep final : public Dynamics {
           const auto [first, second] = slots(lane);
           return std::pair{p.material[first], p.material[second]};
         };
-        add(forces_.template laws<Lanes>(materials, self.inverse_mass + other.inverse_mass));
+        add(forces_.template laws<PairLanes>(materials, self.inverse_mass + other.inverse_mass));
       }
     }
     if constexpr (alike) pairs.deepest = fused(Real(-in.overlap_limit), self.radius, pairs.deepest);
-    sums.pairs.add(pairs);
+    if constexpr (Precision::compact) {
+      for (int part = 0; part < Precision::parts; ++part) {
+        sums.pairs.add(pairs.map([part](const Real& x) { return PairLanes::widened(x, part); }));
+      }
+    } else {
+      sums.pairs.add(pairs);
+    }
     return loads;
   }
 
   /// Forces from walls, then the motion.
   template <bool record, class L>
-  [[gnu::always_inline]] void finish(Particles& p, std::int32_t g, const Bodies<L>& self, Loads<L> loads,
+  [[gnu::always_inline]] void finish(Particles& p, const Seats& seats, const Bodies<L>& self, Loads<L> loads,
                                      const StepInput& in, Recorder* recorder, LaneSums<L>& sums, BlockResult& result) {
     using simd::any;
     using Real = typename L::Real;
-    const NeighbourGroup& group = list_.groups()[g];
-    const auto occupied = L::mask(group.lanes);
-    const auto groups = static_cast<std::int64_t>(list_.groups().size());
+    const auto occupied = L::mask(seats.lanes);
+    const std::size_t rows_of_a_wall = list_.groups().size() * Precision::parts;
     for (std::size_t w = 0; w < planes_.size(); ++w) {
       const Plane& plane = planes_[w];
       const simd::Vector<Real> normal{Real(plane.normal[0]), Real(plane.normal[1]), Real(plane.normal[2])};
       const simd::Vector<Real> point{Real(plane.point[0]), Real(plane.point[1]), Real(plane.point[2])};
       const Real overlap = Real(in.growth.scale) * self.radius - dot(self.position - point, normal);
       const typename L::Mask touching = (Real(0.0) < overlap) & occupied;
-      const std::int64_t row = static_cast<std::int64_t>(w) * groups + g;
+      const std::int64_t row = static_cast<std::int64_t>(w * rows_of_a_wall) + seats.wall_row;
       if (!any(touching)) {
         if constexpr (Tangential::active) history_.walls.none(row);
         continue;
@@ -290,37 +280,35 @@ class NewtonianStep final : public Dynamics {
       Bodies<L> wall{self.position, Real(0.0), simd::Vector<Real>::zero(), Real(0.0), simd::Vector<Real>::zero()};
       const Place<L> at{touching, normal, Real(1.0), overlap};
       const auto who = [&](int lane) {
-        return std::pair<std::int64_t, std::int64_t>{p.id[group.slot + lane], -1 - static_cast<std::int64_t>(w)};
+        return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - static_cast<std::int64_t>(w)};
       };
       const auto materials = [&](int lane) {
-        return std::pair{p.material[group.slot + lane], static_cast<std::int32_t>(plane.material)};
+        return std::pair{p.material[seats.slot + lane], static_cast<std::int32_t>(plane.material)};
       };
       const auto laws = forces_.template laws<L>(materials, self.inverse_mass);
       forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, in, recorder, loads,
                                              sums.walls, result);
     }
-    move<record, Tangential::active, L>(p, list_, group, self, loads, occupied, in, recorder, sums);
+    move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, occupied, in, recorder, sums);
   }
 
-  /// d less the box's sides that it is nearest to; unchanged along axes that are not periodic.
-  [[gnu::always_inline]] simd::Vector<typename Lanes::Real> nearest_image(
-      const simd::Vector<typename Lanes::Real>& d) const {
-    using simd::fused, simd::nearest_integer;
-    using Real = typename Lanes::Real;
-    const Vec3 side = domain_.size();
-    const auto along = [&](const Real& x, int axis) {
-      return fused(-nearest_integer(x * Real(inverse_side_[axis])), Real(side[axis]), x);
-    };
-    return {along(d.x, 0), along(d.y, 1), along(d.z, 2)};
+  /// Long enough that neighbours are less than half of it apart, and as many to the side of a periodic box as go in.
+  Vec3 period_of_places() const {
+    constexpr double largest_extents = 8;  // two reach to one another, and as far again while the list serves
+    Vec3 period = Vec3::Constant(largest_extents * list_.largest_extent());
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = domain_.size()[axis];
+      if (domain_.periodic[axis]) period[axis] = side / std::max(1.0, std::floor(side / period[axis]));
+    }
+    return period;
   }
 
   Domain domain_;
-  Vec3 inverse_side_;  ///< 0 along axes that are not periodic [1/m]
   std::vector<Plane> planes_;
   NeighbourList list_;
   bool alike_ = false;
   ContactForces<Normal, Tangential> forces_;
-  ContactHistory history_;
+  ContactHistory<typename Precision::Number> history_;
   std::vector<BlockResult> results_;
 };
 

@@ -1,5 +1,5 @@
-// Newton's equations with one normal law and the scene's tangential law. Each normal law is compiled in its own file,
-// newtonian_LAW.cpp: every combination is a loop of its own.
+// Newton's equations with one normal law, one precision and the scene's tangential law. Each law and precision is
+// compiled in its own file, newtonian_LAW.cpp or newtonian_LAW_mixed.cpp: every combination is a loop of its own.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace packstone::engine {
 
-template <class Normal>
+/// Precision: DoublePrecision or MixedPrecision of the widest lanes.
+template <class Normal, class Precision>
 std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
 
 }  // namespace packstone::engine

@@ -3,16 +3,17 @@
 
 #include "engine/dynamics/newtonian_step.hpp"
 #include "engine/dynamics/newtonian_with.hpp"
+#include "engine/dynamics/precision.hpp"
 #include "engine/simd/lanes.hpp"
 
 namespace packstone::engine {
 
-template <class Normal>
+template <class Normal, class Precision>
 std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   if (rotates(scene)) {
-    return std::make_unique<NewtonianStep<simd::Widest, Normal, CundallStrack>>(scene, domain, planes);
+    return std::make_unique<NewtonianStep<Precision, Normal, CundallStrack>>(scene, domain, planes);
   }
-  return std::make_unique<NewtonianStep<simd::Widest, Normal, Frictionless>>(scene, domain, planes);
+  return std::make_unique<NewtonianStep<Precision, Normal, Frictionless>>(scene, domain, planes);
 }
 
 }  // namespace packstone::engine

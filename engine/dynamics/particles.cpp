@@ -1,5 +1,7 @@
 #include "engine/dynamics/particles.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -42,6 +44,44 @@ void Particles::reorder(const std::vector<std::int32_t>& from) {
   next.rows.resize(now.rows.size());
   next.rows[nobody()] = now.rows[nobody()];
   next.spins.resize(now.spins.size());
+}
+
+namespace {
+
+std::array<float, 3> narrowed(const Vec3& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+}  // namespace
+
+void Particles::make_compact(const Vec3& period) {
+  constexpr double places_in_period = 4294967296.0;  // 2^32
+  places.per_metre = places_in_period * period.cwiseInverse();
+  places.metres = period / places_in_period;
+  for (Kinematics* instant : {&now, &next}) {
+    instant->compact_rows.resize(slots());
+    instant->compact_spins.resize(turns() ? slots() : 0);
+  }
+  const auto last = static_cast<std::ptrdiff_t>(slots());
+#pragma omp parallel for schedule(static) num_threads(useful_threads(slots()))
+  for (std::ptrdiff_t s = 0; s < last; ++s) {
+    const Row& row = now.rows[s];
+    CompactRow& compact = now.compact_rows[s];
+    if (!is_particle(s)) {
+      compact = {};
+      compact.radius = std::numeric_limits<float>::quiet_NaN();
+    } else {
+      for (int axis = 0; axis < 3; ++axis) {
+        compact.place[axis] = static_cast<std::int32_t>(
+            static_cast<std::uint32_t>(std::llrint(row.position[axis] * places.per_metre[axis])));
+      }
+      compact.radius = static_cast<float>(row.radius);
+      compact.velocity = narrowed(row.velocity);
+      compact.inverse_mass = static_cast<float>(row.inverse_mass);
+    }
+    if (turns()) now.compact_spins[s].angular_velocity = narrowed(now.spins[s].angular_velocity);
+  }
+  next.compact_rows[nobody()] = now.compact_rows[nobody()];
 }
 
 }  // namespace packstone::engine

@@ -1,6 +1,7 @@
 // The particles' state, in slots that follow the neighbour list: neighbours in space lie close in memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,10 +48,40 @@ struct alignas(32) Spin {
 };
 static_assert(sizeof(Spin) == Spin::doubles * sizeof(double));
 
+/// What a contact in single precision sees of a particle: half a cache line.
+struct alignas(32) CompactRow {
+  static constexpr std::uint32_t words = 8, velocity_at = 4;  ///< for reading columns of words out of rows
+
+  std::array<std::int32_t, 3> place = {};  ///< position in steps of Places, modulo 2^32
+  float radius = 0;                        ///< at full size [m]; not a number in an empty slot, so that nothing touches
+  std::array<float, 3> velocity = {};      ///< [m/s]
+  float inverse_mass = 0;                  ///< at full size [1/kg]
+};
+static_assert(sizeof(CompactRow) == CompactRow::words * sizeof(float));
+static_assert(offsetof(CompactRow, velocity) == CompactRow::velocity_at * sizeof(float));
+
+/// How it turns, in single precision.
+struct alignas(16) CompactSpin {
+  static constexpr std::uint32_t words = 4;
+
+  std::array<float, 3> angular_velocity = {};  ///< [rad/s]
+  float unused = 0;
+};
+static_assert(sizeof(CompactSpin) == CompactSpin::words * sizeof(float));
+
+/// The integers that stand for positions: steps of a period / 2^32. The difference of two places, modulo 2^32, is the
+/// distance to the nearest image where the period is the side of a periodic box, or goes into it a whole number of
+/// times; it is right as long as neighbours are less than half a period apart.
+struct Places {
+  Vec3 per_metre = Vec3::Zero(), metres = Vec3::Zero();
+};
+
 /// One instant; kept twice, one read while the other is written.
 struct Kinematics {
   AlignedVector<Row> rows;
-  AlignedVector<Spin> spins;  ///< empty where nothing turns
+  AlignedVector<Spin> spins;                 ///< empty where nothing turns
+  AlignedVector<CompactRow> compact_rows;    ///< empty in double precision
+  AlignedVector<CompactSpin> compact_spins;  ///< empty in double precision or where nothing turns
 };
 
 /// Everything a particle keeps from step to step, by slot. Some slots are empty: those that fill up the last lanes, and
@@ -67,6 +98,7 @@ struct Particles {
   std::vector<std::int32_t> type;         ///< [[particles]] entry
   std::vector<std::int32_t> material;
   std::size_t count = 0;  ///< particles, not slots
+  Places places;          ///< of the compact rows
 
   AlignedVector<double> spare_numbers;       ///< for reorder
   std::vector<std::int32_t> spare_integers;  ///< for reorder
@@ -80,6 +112,8 @@ struct Particles {
 
   /// Puts into each slot what was in slot `from[slot]`, nothing where that is no_particle. The last must be so.
   void reorder(const std::vector<std::int32_t>& from);
+  /// Makes the compact rows from the others. period: of the places, along each axis [m].
+  void make_compact(const Vec3& period);
 };
 
 /// Radii as a share of full size; 1 and 0 outside a growth filling.

@@ -85,6 +85,20 @@ struct Avx2 {
     for (int k = 0; k < 4; ++k) _mm256_storeu_pd(rows + stride * k, row[k]);
   }
 
+  using Word = __m128;
+  static Word narrowed(Real x) { return _mm256_cvtpd_ps(x.v); }
+  static Word low_word(Real x) {
+    const __m256 words = _mm256_castpd_ps(x.v);
+    constexpr int even = 0x88;
+    return _mm_shuffle_ps(_mm256_castps256_ps128(words), _mm256_extractf128_ps(words, 1), even);
+  }
+  template <std::size_t stride>
+  [[gnu::always_inline]] static void write_words(float* rows, const Word* column) {
+    Word row[4] = {column[0], column[1], column[2], column[3]};
+    _MM_TRANSPOSE4_PS(row[0], row[1], row[2], row[3]);
+    for (std::size_t k = 0; k < 4; ++k) _mm_storeu_ps(rows + stride * k, row[k]);
+  }
+
   static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
     int count = 0;
     for (std::uint32_t lanes = bits(mask); lanes != 0; lanes &= lanes - 1)

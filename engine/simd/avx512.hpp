@@ -114,6 +114,30 @@ struct Avx512 {
     write(5, _mm512_permutex2var_pd(xy_odd, high, zw_odd));
   }
 
+  using Word = __m256;
+  static Word narrowed(Real x) { return _mm512_maskz_cvtpd_ps(all, x.v); }
+  static Word low_word(Real x) {
+    return _mm256_castsi256_ps(_mm512_maskz_cvtepi64_epi32(all, _mm512_castpd_si512(x.v)));
+  }
+  template <std::size_t stride>
+  [[gnu::always_inline]] static void write_words(float* rows, const Word* column) {
+    const auto write = [&](std::size_t k, __m256d ab, __m256d cd, auto unpacked) {
+      const __m256 two_rows = _mm256_castpd_ps(unpacked(ab, cd));
+      _mm_storeu_ps(rows + stride * k, _mm256_castps256_ps128(two_rows));
+      _mm_storeu_ps(rows + stride * (k + 4), _mm256_extractf128_ps(two_rows, 1));
+    };
+    const auto even = [](__m256d x, __m256d y) { return _mm256_unpacklo_pd(x, y); };
+    const auto odd = [](__m256d x, __m256d y) { return _mm256_unpackhi_pd(x, y); };
+    const __m256d ab = _mm256_castps_pd(_mm256_unpacklo_ps(column[0], column[1]));
+    const __m256d cd = _mm256_castps_pd(_mm256_unpacklo_ps(column[2], column[3]));
+    write(0, ab, cd, even);
+    write(1, ab, cd, odd);
+    const __m256d ab_end = _mm256_castps_pd(_mm256_unpackhi_ps(column[0], column[1]));
+    const __m256d cd_end = _mm256_castps_pd(_mm256_unpackhi_ps(column[2], column[3]));
+    write(2, ab_end, cd_end, even);
+    write(3, ab_end, cd_end, odd);
+  }
+
   static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
     const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(mask.bits, index));

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
 namespace packstone::engine::simd {
 
 /// a b + c, rounded once where the processor has the instruction.
-inline double fused(double a, double b, double c) {
+template <std::floating_point T>
+T fused(T a, T b, T c) {
 #ifdef __FMA__
   return std::fma(a, b, c);
 #else
@@ -19,20 +21,45 @@ inline double fused(double a, double b, double c) {
 #endif
 }
 /// a b + c where the mask holds, c elsewhere.
-inline double fused_where(bool mask, double a, double b, double c) { return mask ? fused(a, b, c) : c; }
-inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
+template <std::floating_point T>
+T fused_where(bool mask, T a, T b, T c) {
+  return mask ? fused(a, b, c) : c;
+}
+template <std::floating_point T>
+T select(bool mask, T yes, T no) {
+  return mask ? yes : no;
+}
 /// x where the mask holds, 0 elsewhere, whatever x is there.
-inline double only(bool mask, double x) { return mask ? x : 0.0; }
+template <std::floating_point T>
+T only(bool mask, T x) {
+  return mask ? x : T(0);
+}
 /// b where either is not a number.
-inline double larger(double a, double b) { return a > b ? a : b; }
-inline double absolute(double a) { return std::abs(a); }
-inline double nearest_integer(double a) { return std::nearbyint(a); }
+template <std::floating_point T>
+T larger(T a, T b) {
+  return a > b ? a : b;
+}
+template <std::floating_point T>
+T absolute(T a) {
+  return std::abs(a);
+}
+template <std::floating_point T>
+T nearest_integer(T a) {
+  return std::nearbyint(a);
+}
 /// 1/sqrt(x), to the last bit or two.
-inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
+template <std::floating_point T>
+T inverse_sqrt(T x) {
+  return 1 / std::sqrt(x);
+}
 /// 1/x, to half the bits at least.
-inline double rough_reciprocal(double x) { return 1 / x; }
+template <std::floating_point T>
+T rough_reciprocal(T x) {
+  return 1 / x;
+}
 inline bool any(bool mask) { return mask; }
 inline std::uint32_t bits(bool mask) { return mask ? 1u : 0u; }
+/// Over the lanes.
 inline double sum(double x) { return x; }
 inline double largest(double x) { return x; }
 
@@ -64,6 +91,17 @@ struct Scalar {
   /// Writes four columns into `width` rows in sequence.
   template <std::size_t stride>
   static void write_columns(double* rows, const Real* column) {
+    for (int c = 0; c < 4; ++c) rows[c] = column[c];
+  }
+  /// A lane each of 32 bits, and how they come from numbers: rounded, or the low half of their bits.
+  using Word = float;
+  static Word narrowed(Real x) { return static_cast<float>(x); }
+  static Word low_word(Real x) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x)));
+  }
+  /// Writes four columns of words into `width` rows in sequence.
+  template <std::size_t stride>
+  static void write_words(float* rows, const Word* column) {
     for (int c = 0; c < 4; ++c) rows[c] = column[c];
   }
   /// Writes first + k for each lane k of the mask, in ascending order; returns how many. May write `width` values.

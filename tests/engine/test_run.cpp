@@ -1,10 +1,13 @@
 // A scene run into a folder: what is written, and that it never depends on threads.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/run_folder.hpp"
 #include "engine/run.hpp"
+#include "engine/simulation.hpp"
 #include "tests/sample_scene.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -22,6 +25,11 @@ const std::vector<std::string> with_friction = {"contact.tangential=cundall-stra
                                                 "material[1].friction=0.4",
                                                 "output.fields=[\"velocity\", \"angular_velocity\", \"force\"]"};
 
+std::vector<std::string> in_mixed_precision(std::vector<std::string> set) {
+  set.push_back("dynamics.precision=mixed");
+  return set;
+}
+
 RunRecord run_into(const std::filesystem::path& folder, const std::vector<std::string>& set, int threads) {
   RunControl control;
   control.threads = threads;
@@ -31,7 +39,8 @@ RunRecord run_into(const std::filesystem::path& folder, const std::vector<std::s
 }  // namespace
 
 TEST_CASE("one, two and three threads write the same bytes") {
-  const std::vector<std::string> set = GENERATE(std::vector<std::string>{}, with_friction);
+  const std::vector<std::string> set =
+      GENERATE(std::vector<std::string>{}, with_friction, in_mixed_precision({}), in_mixed_precision(with_friction));
   // Enough particles to be worth three threads.
   std::vector<std::string> many = {"particles[0].count=900", "particles[1].count=900", "particles[0].radius=0.008",
                                    "particles[1].radius=0.008", "dynamics.duration=50 ms"};
@@ -54,7 +63,8 @@ TEST_CASE("how often a run is recorded does not change it") {
   // Alike particles take a way of their own through the steps that are not recorded.
   std::vector<std::string> alike = with_friction;
   alike.insert(alike.end(), {"particles[1].material=light", "contact.normal=linear", "monitor.overlap_limit=0.5"});
-  const std::vector<std::string> set = GENERATE_COPY(std::vector<std::string>{}, with_friction, alike);
+  const std::vector<std::string> set = GENERATE_COPY(std::vector<std::string>{}, with_friction, alike,
+                                                     in_mixed_precision(with_friction), in_mixed_precision(alike));
   std::vector<std::string> often = set, seldom = set;
   often.push_back("output.history_interval=0.1 ms");
   seldom.push_back("output.history_interval=20 ms");
@@ -65,6 +75,35 @@ TEST_CASE("how often a run is recorded does not change it") {
   REQUIRE(a.id == b.id);
   CHECK(a.position == b.position);
   CHECK(a.fields.at("velocity").values == b.fields.at("velocity").values);
+}
+
+TEST_CASE("a run in mixed precision ends where one in double precision does") {
+  // Long enough to fall and settle: paths part, measures must not.
+  const std::vector<std::string> set = GENERATE(std::vector<std::string>{}, with_friction);
+  const testing::TemporaryFolder folder;
+  run_into(folder / "double", set, 1);
+  run_into(folder / "mixed", in_mixed_precision(set), 1);
+  const History a = RunReader(folder / "double").history(), b = RunReader(folder / "mixed").history();
+  const auto last = [](const History& t, const char* column) { return t.column(column).back(); };
+  CHECK(last(a, "dissipated") != last(b, "dissipated"));
+  for (const char* energy : {"gravitational", "dissipated", "growth_work", "gravity_work"}) {
+    CHECK(last(a, energy) == Approx(last(b, energy)).epsilon(0.01));
+  }
+  CHECK(last(a, "packing_fraction") == Approx(last(b, "packing_fraction")).margin(0.005));
+}
+
+TEST_CASE("mixed precision warns where a sphere's weight is lost in it") {
+  const auto warnings = [](const char* stiffness) {
+    return Simulation(parse_scene(small_scene, "s.toml",
+                                  {"dynamics.precision=mixed", "dynamics.time_step=1 us",
+                                   "material[0].normal_stiffness=" + std::string(stiffness),
+                                   "material[1].normal_stiffness=" + std::string(stiffness)}))
+        .warnings();
+  };
+  const auto of_precision = [](const std::string& warning) { return warning.starts_with("dynamics.precision"); };
+  const std::vector<std::string> soft = warnings("1e5"), hard = warnings("1e8");
+  CHECK(std::none_of(soft.begin(), soft.end(), of_precision));
+  CHECK(std::any_of(hard.begin(), hard.end(), of_precision));
 }
 
 TEST_CASE("the run folder holds the run") {

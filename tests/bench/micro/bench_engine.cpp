@@ -77,11 +77,11 @@ void build_list(benchmark::State& state) {
   state.counters["neighbours"] = static_cast<double>(list.pairs()) / static_cast<double>(particles.size());
 }
 
-template <class Lanes, class Tangential>
+template <class Precision, class Tangential>
 void step(benchmark::State& state) {
   const Bed bed = lattice(state.range(0), 1, Tangential::active ? 0.5 : 0.0);
   Particles particles = make_particles(bed.scene, bed.start);
-  NewtonianStep<Lanes, Linear<Release::zero_overlap>, Tangential> dynamics(bed.scene, bed.scene.box(), {});
+  NewtonianStep<Precision, Linear<Release::zero_overlap>, Tangential> dynamics(bed.scene, bed.scene.box(), {});
   StepInput input;
   input.dt = time_step;
   input.overlap_limit = 1;
@@ -91,7 +91,7 @@ void step(benchmark::State& state) {
     std::swap(particles.now, particles.next);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(particles.size()));
-  state.SetLabel(Lanes::name);
+  state.SetLabel(Precision::PairLanes::name);
 }
 
 void numbers_and_ratios(benchmark::internal::Benchmark* b) {
@@ -109,14 +109,20 @@ BENCHMARK(build_list)->Apply(numbers_and_ratios)->UseRealTime()->Unit(benchmark:
       ->Arg(1000000)                   \
       ->UseRealTime()                  \
       ->Unit(benchmark::kMillisecond)
-STEP_IN(simd::Scalar, Frictionless);
-STEP_IN(simd::Scalar, CundallStrack);
+STEP_IN(DoublePrecision<simd::Scalar>, Frictionless);
+STEP_IN(MixedPrecision<simd::ScalarSingle>, Frictionless);
+STEP_IN(DoublePrecision<simd::Scalar>, CundallStrack);
+STEP_IN(MixedPrecision<simd::ScalarSingle>, CundallStrack);
 #ifdef PACKSTONE_AVX2
-STEP_IN(simd::Avx2, Frictionless);
-STEP_IN(simd::Avx2, CundallStrack);
+STEP_IN(DoublePrecision<simd::Avx2>, Frictionless);
+STEP_IN(MixedPrecision<simd::Avx2Single>, Frictionless);
+STEP_IN(DoublePrecision<simd::Avx2>, CundallStrack);
+STEP_IN(MixedPrecision<simd::Avx2Single>, CundallStrack);
 #endif
 #ifdef PACKSTONE_AVX512
-STEP_IN(simd::Avx512, Frictionless);
-STEP_IN(simd::Avx512, CundallStrack);
+STEP_IN(DoublePrecision<simd::Avx512>, Frictionless);
+STEP_IN(MixedPrecision<simd::Avx512Single>, Frictionless);
+STEP_IN(DoublePrecision<simd::Avx512>, CundallStrack);
+STEP_IN(MixedPrecision<simd::Avx512Single>, CundallStrack);
 #endif
 BENCHMARK_MAIN();

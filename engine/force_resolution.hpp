@@ -1,0 +1,20 @@
+// How finely forces between particles are resolved in single precision.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "engine/filling/population.hpp"
+
+namespace packstone::engine {
+
+/// Rounding of an overlap in single precision, as a share of the radius.
+inline constexpr double single_resolution = 1e-7;
+
+/// Warns where `precision = "mixed"` rounds a contact's force by more than a hundredth of the sphere's weight: a bed's
+/// surface then jitters by that much. Counted for the lightest sphere of each group among its like, under the scene's
+/// gravity.
+void warn_of_lost_weight(const Scene& scene, const Population& population, std::vector<std::string>& warnings);
+
+}  // namespace packstone::engine

@@ -1,0 +1,43 @@
+// One lane of single precision, for portable builds.
+#pragma once
+
+#include <bit>
+
+#include "engine/simd/scalar.hpp"
+
+namespace packstone::engine::simd {
+
+struct ScalarSingle {
+  using Whole = Scalar;  ///< lanes that this one's are widened to
+  using Real = float;
+  using Mask = bool;
+  static constexpr int width = 1;
+  static constexpr const char* name = "portable, single precision";
+
+  static double lane(Real x, int) { return x; }
+  static Mask mask(std::uint32_t lanes) { return (lanes & 1u) != 0; }
+  static Real load(const float* p) { return *p; }
+  static void store(float* p, Real x) { *p = x; }
+  static Real gather(const double* table, const std::int32_t* index) { return static_cast<float>(table[*index]); }
+
+  /// Lanes part * Whole::width on.
+  static double widened(Real x, int /*part*/) { return x; }
+  /// Of two columns of integers, modulo 2^32, as numbers.
+  static Real difference_of_places(Real a, Real b) {
+    return static_cast<float>(
+        static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(a) - std::bit_cast<std::uint32_t>(b)));
+  }
+
+  /// Reads three or four consecutive words of one row a lane; that of lane k begins at base + offset[k].
+  template <int columns>
+  static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
+    for (int c = 0; c < columns; ++c) column[c] = base[*offset + c];
+  }
+  /// The same of `width` rows in sequence.
+  template <int columns, std::size_t stride>
+  static void read_columns(const float* rows, Real* column) {
+    for (int c = 0; c < columns; ++c) column[c] = rows[c];
+  }
+};
+
+}  // namespace packstone::engine::simd
