@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/domain.hpp"
@@ -18,6 +20,10 @@ namespace packstone::engine {
 /// only the cells that its sphere can meet, so that its cost does not depend on the ratio of sizes: towards coarser
 /// levels those are a handful, towards finer ones as many as particles find room in.
 ///
+/// Positions and extents are kept in single precision, relative to the middle of the box, and extents are larger by
+/// what that may cut off: a search finds every pair that meets, and hardly any other. Sixteen fit into a register that
+/// way.
+///
 /// Within a level cells are stacked into columns along z, and columns are numbered tile by tile, so that what is close
 /// in space is close in the order and a column's part of a search is one range of it.
 class HierarchicalGrid {
@@ -27,18 +33,24 @@ class HierarchicalGrid {
 
   /// Numbers that build was given, in the order of the grid.
   const std::vector<std::int32_t>& order() const { return order_; }
-  /// Positions and extents in that order, followed by `padding` copies of the last.
-  const VectorArray& position() const { return position_; }
-  const AlignedVector<double>& extent() const { return extent_; }
+  /// One array a coordinate [m], in the order of the grid, followed by `padding` copies of the last.
+  struct Spheres {
+    AlignedVector<float> x, y, z, extent;
+
+    Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
+  };
+  /// Relative to middle().
+  const Spheres& spheres() const { return spheres_; }
+  const Vec3& middle() const { return middle_; }
   double largest_extent() const { return levels_.empty() ? 0 : levels_.back().extent; }
 
   /// Lanes that a reader may run over the end.
-  static constexpr std::size_t padding = 8;
+  static constexpr std::size_t padding = 16;
 
   /// Calls visit(begin, end) for ranges of the order that together hold every particle, once, whose sphere can meet the
-  /// sphere of this extent about a point.
+  /// sphere of this extent about a point, relative to middle().
   template <class Visit>
-  void for_each_range(const Vec3& point, double extent, Visit&& visit) const {
+  [[gnu::always_inline]] void for_each_range(const Vec3& point, double extent, Visit&& visit) const {
     for (const Level& level : levels_) visit_level(level, point, extent, visit);
   }
 
@@ -65,8 +77,19 @@ class HierarchicalGrid {
     bool whole;
   };
 
+  /// Of some particles.
+  struct Bounds {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    std::int64_t particles = 0;
+
+    void add(const Vec3& position);
+    void add(const Bounds& other);
+  };
+
   void choose_levels(const AlignedVector<double>& extent, std::vector<std::uint8_t>& level_of);
-  void lay_out(Level& level, const Domain& domain, const Vec3& low, const Vec3& high, std::int64_t particles) const;
+  std::vector<Bounds> bounds_of_levels(const VectorArray& position, const std::vector<std::uint8_t>& level_of) const;
+  void lay_out(Level& level, const Domain& domain, const Bounds& bounds) const;
+  void sort(const VectorArray& position, const std::vector<std::uint8_t>& level_of, std::int64_t cells);
   static Window window(const Level& level, int axis, double coordinate, double reach);
   static int wrapped(int cell, int cells) { return cell < 0 ? cell + cells : cell >= cells ? cell - cells : cell; }
 
@@ -78,8 +101,8 @@ class HierarchicalGrid {
   std::vector<Level> levels_;        ///< finest first
   std::vector<std::int32_t> first_;  ///< where each cell begins in the order
   std::vector<std::int32_t> order_;
-  VectorArray position_;
-  AlignedVector<double> extent_;
+  Spheres spheres_;
+  Vec3 middle_ = Vec3::Zero();
 };
 
 inline std::int64_t HierarchicalGrid::Level::column(int a, int b) const {
@@ -106,7 +129,8 @@ inline HierarchicalGrid::Window HierarchicalGrid::window(const Level& level, int
 }
 
 template <class Visit>
-void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double extent, Visit& visit) const {
+[[gnu::always_inline]] inline void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double extent,
+                                                                 Visit& visit) const {
   constexpr double rounding = 1 + 1e-12;  // a pair found from one side is found from the other
   constexpr int few_columns = 3;          // across; of so few the sphere cuts off little
   const double reach = (extent + level.extent) * rounding;
@@ -114,44 +138,47 @@ void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double
   const Window wz = window(level, 2, point[2], reach);
   if (wx.first > wx.last || wy.first > wy.last || wz.first > wz.last) return;
   const bool clip = wx.last - wx.first >= few_columns || wy.last - wy.first >= few_columns;
+  const auto distance = [&](const Window& w, int cell, int axis) {  // from the point to the cell's slab
+    if (w.whole) return 0.0;
+    const double near = level.low[axis] + cell * level.width[axis] - point[axis];
+    return std::max({near, -near - level.width[axis], 0.0}) * (2 - rounding);
+  };
   for (int b = wy.first; b <= wy.last; ++b) {
-    const auto distance = [&](const Window& w, int cell, int axis) {  // from the point to the cell's slab
-      if (w.whole) return 0.0;
-      const double near = level.low[axis] + cell * level.width[axis] - point[axis];
-      return std::max({near, -near - level.width[axis], 0.0}) * (2 - rounding);
-    };
     const int row = wrapped(b, level.cells[1]);
     const double dy = clip ? distance(wy, b, 1) : 0;
     for (int a = wx.first; a <= wx.last; ++a) {
-      const std::int64_t column = level.column(wrapped(a, level.cells[0]), row);
-      if (!clip) {
-        visit_column(level, column, wz, visit);
-        continue;
+      Window along_z = wz;
+      if (clip) {
+        const double dx = distance(wx, a, 0);
+        const double squared = reach * reach - dx * dx - dy * dy;
+        if (squared < 0) continue;
+        along_z = window(level, 2, point[2], std::sqrt(squared));
       }
-      const double dx = distance(wx, a, 0);
-      const double squared = reach * reach - dx * dx - dy * dy;
-      if (squared >= 0) visit_column(level, column, window(level, 2, point[2], std::sqrt(squared)), visit);
+      visit_column(level, level.column(wrapped(a, level.cells[0]), row), along_z, visit);
     }
   }
 }
 
 template <class Visit>
-void HierarchicalGrid::visit_column(const Level& level, std::int64_t column, const Window& along_z,
-                                    Visit& visit) const {
+[[gnu::always_inline]] inline void HierarchicalGrid::visit_column(const Level& level, std::int64_t column,
+                                                                  const Window& along_z, Visit& visit) const {
   const std::int32_t* first = first_.data() + level.first_cell + column;
   const int cells = level.cells[2];
-  const auto range = [&](int from, int to) {
-    if (first[from] < first[to + 1]) visit(first[from], first[to + 1]);
-  };
-  if (along_z.first > along_z.last) return;
+  // A window that leaves the box comes back at the other side.
+  const int last = std::min(along_z.last, cells - 1);
+  int from = std::max(along_z.first, 0), to = last;
+  int other_from = 0, other_to = -1;
   if (along_z.first < 0) {
-    range(along_z.first + cells, cells - 1);
-    range(0, along_z.last);
+    other_from = along_z.first + cells;
+    other_to = cells - 1;
   } else if (along_z.last >= cells) {
-    range(along_z.first, cells - 1);
-    range(0, along_z.last - cells);
-  } else {
-    range(along_z.first, along_z.last);
+    other_to = along_z.last - cells;
+  }
+  for (;;) {
+    if (from <= to && first[from] < first[to + 1]) visit(first[from], first[to + 1]);
+    if (other_from > other_to) return;
+    from = std::exchange(other_from, cells);
+    to = std::exchange(other_to, -1);
   }
 }
 

@@ -13,8 +13,6 @@ namespace packstone::engine {
 
 namespace {
 
-using simd::Widest;
-
 /// Margins that a periodic side must leave room for, as a share of the largest radius.
 constexpr double least_margin_share = 0.3;
 /// Growth that a list allows for, in times of its planned life.
@@ -32,6 +30,20 @@ std::uint32_t entry(std::int32_t slot) { return static_cast<std::uint32_t>(slot)
 
 std::int32_t rows_for(std::int32_t entries, int width) { return (entries + width - 1) / width; }
 
+/// term(0) + ... + term(n-1) on all threads, with the same bits for any number of them.
+template <class Value, class Term>
+Value sum_in_blocks(std::size_t n, const Value& zero, const Term& term) {
+  constexpr std::size_t block = 1024;
+  std::vector<Value> sums((n + block - 1) / block, zero);
+  const auto blocks = static_cast<std::ptrdiff_t>(sums.size());
+#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
+  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+    const std::size_t begin = b * block;
+    for (std::size_t k = begin; k < std::min(begin + block, n); ++k) sums[b] += term(k);
+  }
+  return std::accumulate(sums.begin(), sums.end(), zero);
+}
+
 }  // namespace
 
 double NeighbourList::least_periodic_side(double largest_radius) {
@@ -47,14 +59,12 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
   position_.resize(n);
   extent_.resize(n);
   margin_.resize(n);
-  Vec3 mean = Vec3::Zero();
-  for (const std::int32_t s : slot_before_) mean += p.now.rows[s].velocity / static_cast<double>(n);
-  std::vector<double> speed(n);
-  double mean_speed = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    speed[k] = (p.now.rows[slot_before_[k]].velocity - mean).norm();
-    mean_speed += speed[k] / p.now.rows[slot_before_[k]].radius / static_cast<double>(n);
-  }
+  const auto row = [&](std::size_t k) -> Row& { return p.now.rows[slot_before_[k]]; };
+  const Vec3 mean = sum_in_blocks<Vec3>(n, Vec3::Zero(), [&](std::size_t k) { return row(k).velocity; }) /
+                    static_cast<double>(std::max<std::size_t>(n, 1));
+  const auto speed = [&](std::size_t k) { return (row(k).velocity - mean).norm(); };
+  const double mean_speed = sum_in_blocks<double>(n, 0.0, [&](std::size_t k) { return speed(k) / row(k).radius; }) /
+                            static_cast<double>(std::max<std::size_t>(n, 1));
   displacement_.setZero();
   displacement_before_ = -dt * mean;
   const Margins margins = policy_.next(dt, mean_speed);
@@ -63,14 +73,16 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
   for (int axis = 0; axis < 3; ++axis) {
     if (domain_.periodic[axis]) shortest_side = std::min(shortest_side, domain_.size()[axis]);
   }
-  for (std::size_t k = 0; k < n; ++k) {
-    Row& row = p.now.rows[slot_before_[k]];
-    row.position = domain_.wrapped(row.position);
-    position_.set(k, row.position);
+  const auto count = static_cast<std::ptrdiff_t>(n);
+#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    Row& own = row(k);
+    own.position = domain_.wrapped(own.position);
+    position_.set(k, own.position);
     // Two extents never reach across half the box: then only one image of a neighbour can come into contact.
-    const double room = shortest_side / 4 - largest_scale_ * row.radius;
-    margin_[k] = std::min(margins.size_share * row.radius + margins.life * speed[k], room);
-    extent_[k] = largest_scale_ * row.radius + margin_[k];
+    const double room = shortest_side / 4 - largest_scale_ * own.radius;
+    margin_[k] = std::min(margins.size_share * own.radius + margins.life * speed(k), room);
+    extent_[k] = largest_scale_ * own.radius + margin_[k];
   }
 }
 
@@ -84,15 +96,17 @@ bool NeighbourList::image_across(const Vec3& point, double reach) const {
 
 void NeighbourList::search_one(std::size_t place, Found& found) const {
   using simd::absolute, simd::any, simd::fused, simd::nearest_integer;
-  using Real = Widest::Real;
-  const Vec3 here = grid_.position().get(place);
-  const double own_extent = grid_.extent()[place];
-  const simd::Vector<Real> point{here[0], here[1], here[2]};
-  const bool images = image_across(here, own_extent + grid_.largest_extent());
+  using Lanes = simd::WidestSingle;
+  using Real = Lanes::Real;
+  const HierarchicalGrid::Spheres& spheres = grid_.spheres();
   const Vec3 side = domain_.size();
-  const auto component = [&](int axis, const AlignedVector<double>& coordinate, std::size_t k, const Real& x,
-                             typename Widest::Mask& across) {
-    const Real d = x - Widest::load(&coordinate[k]);
+  const Vec3 here = spheres.position(place);
+  const double own_extent = spheres.extent[place];
+  const simd::Vector<Real> point{Real(here[0]), Real(here[1]), Real(here[2])};
+  const bool images = image_across(here + grid_.middle(), own_extent + grid_.largest_extent());
+  const auto component = [&](int axis, const AlignedVector<float>& coordinate, std::size_t k, const Real& x,
+                             Lanes::Mask& across) __attribute__((always_inline)) {
+    const Real d = x - Lanes::load(&coordinate[k]);
     if (!images || !domain_.periodic[axis]) return d;
     const Real boxes = nearest_integer(d * Real(1 / side[axis]));
     across = across | (Real(0.0) < absolute(boxes));
@@ -100,24 +114,25 @@ void NeighbourList::search_one(std::size_t place, Found& found) const {
   };
   bool any_across = false;
   const auto self = static_cast<std::int32_t>(place);
-  grid_.for_each_range(here, own_extent, [&](std::int32_t begin, std::int32_t end) {
-    const std::size_t most = found.used + static_cast<std::size_t>(end - begin) + Widest::width;
-    if (found.neighbours.size() < most) found.neighbours.resize(2 * most);
-    std::int32_t* to = found.neighbours.data() + found.used;
-    for (std::int32_t k = begin; k < end; k += Widest::width) {
-      std::uint32_t considered = end - k < Widest::width ? (1u << (end - k)) - 1 : (1u << Widest::width) - 1;
-      if (self >= k && self < k + Widest::width) considered &= ~(1u << (self - k));
-      auto across = Widest::mask(0);
-      const simd::Vector<Real> d{component(0, grid_.position().x, k, point.x, across),
-                                 component(1, grid_.position().y, k, point.y, across),
-                                 component(2, grid_.position().z, k, point.z, across)};
-      const Real reach = Real(own_extent) + Widest::load(&grid_.extent()[k]);
-      const typename Widest::Mask near = (squared_length(d) < reach * reach) & Widest::mask(considered);
-      to += Widest::write_indices(near, k, to);
-      any_across = any_across || any(near & across);
-    }
-    found.used = static_cast<std::size_t>(to - found.neighbours.data());
-  });
+  grid_.for_each_range(
+      here, own_extent, [&](std::int32_t begin, std::int32_t end) __attribute__((always_inline)) {
+        const std::size_t most = found.used + static_cast<std::size_t>(end - begin) + Lanes::width;
+        if (found.neighbours.size() < most) found.neighbours.resize(2 * most);
+        std::int32_t* to = found.neighbours.data() + found.used;
+        for (std::int32_t k = begin; k < end; k += Lanes::width) {
+          std::uint32_t considered = end - k < Lanes::width ? (1u << (end - k)) - 1 : (1u << Lanes::width) - 1;
+          if (self >= k && self < k + Lanes::width) considered &= ~(1u << (self - k));
+          auto across = Lanes::mask(0);
+          const simd::Vector<Real> d{component(0, spheres.x, k, point.x, across),
+                                     component(1, spheres.y, k, point.y, across),
+                                     component(2, spheres.z, k, point.z, across)};
+          const Real reach = Real(own_extent) + Lanes::load(&spheres.extent[k]);
+          const Lanes::Mask near = (squared_length(d) < reach * reach) & Lanes::mask(considered);
+          to += Lanes::write_indices(near, k, to);
+          any_across = any_across || any(near & across);
+        }
+        found.used = static_cast<std::size_t>(to - found.neighbours.data());
+      });
   found.end.push_back(static_cast<std::int32_t>(found.used));
   found.images.push_back(any_across);
 }
@@ -234,7 +249,9 @@ void NeighbourList::build(Particles& particles, const Growth& growth, double dt)
   std::vector<std::int32_t> from(place_of_.size(), Particles::no_particle);
   reference_.resize(place_of_.size());
   inverse_margin_squared_.assign(place_of_.size(), 0.0);
-  for (std::size_t s = 0; s < place_of_.size(); ++s) {
+  const auto slots = static_cast<std::ptrdiff_t>(place_of_.size());
+#pragma omp parallel for schedule(static) num_threads(useful_threads(particles_))
+  for (std::ptrdiff_t s = 0; s < slots; ++s) {
     if (place_of_[s] == Particles::no_particle) continue;
     const std::int32_t k = grid_.order()[place_of_[s]];
     from[s] = slot_before_[k];

@@ -99,13 +99,6 @@ struct Avx2 {
     for (std::size_t k = 0; k < 4; ++k) _mm_storeu_ps(rows + stride * k, row[k]);
   }
 
-  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
-    int count = 0;
-    for (std::uint32_t lanes = bits(mask); lanes != 0; lanes &= lanes - 1)
-      to[count++] = first + std::countr_zero(lanes);
-    return count;
-  }
-
  private:
   static void transpose(__m256d a, __m256d b, __m256d c, __m256d d, __m256d* to) {
     const __m256d ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);

@@ -39,6 +39,7 @@ struct Avx2Single {
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm256_max_ps(a.v, b.v); }
     friend Real absolute(Real a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v); }
+    friend Real nearest_integer(Real a) { return _mm256_round_ps(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
     friend Real inverse_sqrt(Real x) { return Real(1.0) / Real(_mm256_sqrt_ps(x.v)); }
     friend Real rough_reciprocal(Real x) { return Real(1.0) / x; }
     friend double sum(Real x) { return sum(widened(x, 0) + widened(x, 1)); }
@@ -62,6 +63,13 @@ struct Avx2Single {
   }
   static Real difference_of_places(Real a, Real b) {
     return _mm256_cvtepi32_ps(_mm256_sub_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v)));
+  }
+
+  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
+    int count = 0;
+    for (std::uint32_t lanes = bits(mask); lanes != 0; lanes &= lanes - 1)
+      to[count++] = first + std::countr_zero(lanes);
+    return count;
   }
 
   template <int columns>

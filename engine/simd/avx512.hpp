@@ -138,12 +138,6 @@ struct Avx512 {
     write(3, ab_end, cd_end, odd);
   }
 
-  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
-    const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(mask.bits, index));
-    return std::popcount(mask.bits);
-  }
-
  private:
   /// Up to four columns from `offset` on. Two half rows go into one register straight from memory, which spares a third
   /// of the shuffles of an 8 x 8 transpose; gather instructions are slower still.

@@ -41,6 +41,9 @@ struct Avx512Single {
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm512_maskz_max_ps(all, a.v, b.v); }
     friend Real absolute(Real a) { return _mm512_abs_ps(a.v); }
+    friend Real nearest_integer(Real a) {
+      return _mm512_maskz_roundscale_ps(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    }
     /// The 14-bit estimate, once refined.
     [[gnu::always_inline]] friend Real inverse_sqrt(Real x) {
       const Real y = _mm512_maskz_rsqrt14_ps(all, x.v);
@@ -68,6 +71,13 @@ struct Avx512Single {
   }
   static Real difference_of_places(Real a, Real b) {
     return _mm512_maskz_cvtepi32_ps(all, _mm512_sub_epi32(_mm512_castps_si512(a.v), _mm512_castps_si512(b.v)));
+  }
+
+  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
+    const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const __m512i index = _mm512_add_epi32(_mm512_set1_epi32(first), lane);
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask.bits, index));
+    return std::popcount(mask.bits);
   }
 
   template <int columns>

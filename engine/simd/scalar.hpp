@@ -104,11 +104,6 @@ struct Scalar {
   static void write_words(float* rows, const Word* column) {
     for (int c = 0; c < 4; ++c) rows[c] = column[c];
   }
-  /// Writes first + k for each lane k of the mask, in ascending order; returns how many. May write `width` values.
-  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
-    *to = first;
-    return mask;
-  }
 };
 
 }  // namespace packstone::engine::simd

@@ -28,6 +28,12 @@ struct ScalarSingle {
         static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(a) - std::bit_cast<std::uint32_t>(b)));
   }
 
+  /// Writes first + k for each lane k of the mask, in ascending order; returns how many. May write `width` values.
+  static int write_indices(Mask mask, std::int32_t first, std::int32_t* to) {
+    *to = first;
+    return mask;
+  }
+
   /// Reads three or four consecutive words of one row a lane; that of lane k begins at base + offset[k].
   template <int columns>
   static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
