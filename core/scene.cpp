@@ -41,8 +41,8 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
        "auto: half-step for linear contacts with friction or beyond the recommended time step, else step"},
       {"auto", "step", "half-step"}, d.contact_velocity, has_default);
   v.choice({"precision",
-            "Of the forces between particles. mixed: single, from positions in fixed point; faster, and exact to about "
-            "1e-7 of the radii in the overlaps. Motion, walls and energies are double either way"},
+            "Of the forces between particles. mixed: single, from positions in fixed point; faster, with overlaps "
+            "rounded by 1e-7 of the radii. Motion, walls and energies are double either way"},
            {"double", "mixed"}, d.precision, has_default);
 }
 

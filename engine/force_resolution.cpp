@@ -9,17 +9,19 @@ namespace packstone::engine {
 void warn_of_lost_weight(const Scene& scene, const Population& population, std::vector<std::string>& warnings) {
   constexpr double tolerable = 0.01;  // of the weight
   if (scene.dynamics.precision != Precision::mixed || !scene.gravity.present) return;
+  const double largest = largest_radius(population);
   for (std::size_t g = 0; g < population.size(); ++g) {
     if (population[g].count == 0) continue;
     const MaterialSpec& material = scene.materials[scene.material_index(scene.particles[g].material)];
     const double radius = population[g].smallest_radius;
     const double weight = material.density * sphere_volume(radius) * scene.gravity.acceleration.norm();
-    const double rounding = material.normal_stiffness * single_resolution * radius;
+    const double rounding_of_overlap = single_resolution * 0.5 * (radius + largest);
+    const double rounding = material.normal_stiffness * rounding_of_overlap;
     if (rounding <= tolerable * weight) continue;
     warnings.push_back(fmt::format(
         "dynamics.precision: mixed rounds forces between particles by about {:.2g} N, {:.2g} of the weight of a sphere "
         "of \"{}\"; take double, or a stiffness of {:.2g} N/m or less, where that matters",
-        rounding, rounding / weight, scene.particles[g].name, tolerable * weight / (single_resolution * radius)));
+        rounding, rounding / weight, scene.particles[g].name, tolerable * weight / rounding_of_overlap));
   }
 }
 

@@ -9,12 +9,13 @@
 
 namespace packstone::engine {
 
-/// Rounding of an overlap in single precision, as a share of the radius.
-inline constexpr double single_resolution = 1e-7;
+/// Rounding of an overlap in single precision, root mean square, as a share of the pair's mean radius
+/// (tests/engine/test_precision.cpp).
+inline constexpr double single_resolution = 7e-8;
 
 /// Warns where `precision = "mixed"` rounds a contact's force by more than a hundredth of the sphere's weight: a bed's
-/// surface then jitters by that much. Counted for the lightest sphere of each group among its like, under the scene's
-/// gravity.
+/// surface then jitters by that much. Counted for the smallest sphere of each group on the largest of all, under the
+/// scene's gravity.
 void warn_of_lost_weight(const Scene& scene, const Population& population, std::vector<std::string>& warnings);
 
 }  // namespace packstone::engine

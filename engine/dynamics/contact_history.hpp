@@ -38,6 +38,13 @@ class Springs {
     Lanes::store(at + 2 * width_, spring.z);
     touched_[row] = static_cast<std::uint16_t>(bits(touching));
   }
+  /// Asks for some rows ahead of their use.
+  [[gnu::always_inline]] void prefetch(std::int64_t row, std::int64_t rows) const {
+    constexpr std::size_t line = 64 / sizeof(Number);
+    const Number* at = &values_[index(row)];
+    const Number* const end = at + index(rows);
+    for (; at < end; at += line) __builtin_prefetch(at, 1);
+  }
   /// Nothing touches in this row.
   void none(std::int64_t row) {
     if (touched_[row] != 0) touched_[row] = 0;

@@ -142,6 +142,10 @@ class NewtonianStep final : public Dynamics {
     const std::uint32_t* entry = list_.row(next.first_row);
     const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * PairLanes::width;
     for (; entry < end; ++entry) seen.prefetch(*entry, Tangential::active);
+    if constexpr (Tangential::active) {
+      const NeighbourGroup& later = list_.groups()[std::min<std::size_t>(g + 2, last)];
+      if (later.rows > 0) history_.pairs.prefetch(later.first_row, later.rows);
+    }
     const auto slots = static_cast<std::int32_t>(p.slots());
     const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - PairLanes::width);
     const std::int32_t write = std::min(next.slot + rows_written_ahead, slots - PairLanes::width);

@@ -7,7 +7,7 @@ import pathlib
 import tomllib
 
 HERE = pathlib.Path(__file__).parent
-PROGRAMS = ("packstone", "lammps", "liggghts")
+PROGRAMS = ("packstone", "packstone-mixed", "lammps", "liggghts")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -61,7 +61,7 @@ def run(program: str, job: Job, tuning: Tuning | None) -> Measured:
     job.folder.mkdir(parents=True, exist_ok=True)
     for old in job.folder.glob("memory.*"):
         old.unlink()
-    measured = packstone if program == "packstone" else peer
+    measured = packstone if program.startswith("packstone") else peer
     return measured(program, job, tuning)
 
 
@@ -87,6 +87,7 @@ def packstone(program: str, job: Job, _: Tuning | None) -> Measured:
     duration = steps * job.physics.time_step
     box = ", ".join(f"{length:.17g}" for length in job.bed.box)
     overrides = {
+        "dynamics.precision": "mixed" if program == "packstone-mixed" else "double",
         "dynamics.time_step": f"{job.physics.time_step:.17g}",
         "dynamics.duration": f"{duration:.17g}",
         "domain.max": f"[{box}]",
