@@ -17,7 +17,12 @@ class Springs {
  public:
   void resize(std::int64_t rows, int width) {
     width_ = width;
-    values_.assign(static_cast<std::size_t>(rows) * width * 3, Number(0));
+    const std::size_t count = static_cast<std::size_t>(rows) * width * 3;
+    if (values_.capacity() < count) {
+      values_ = {};  // before the larger store is there: they are the largest of all
+      values_.reserve(count + count / spare_share);
+    }
+    values_.assign(count, Number(0));
     touched_.assign(static_cast<std::size_t>(rows), 0);
   }
 
@@ -63,6 +68,8 @@ class Springs {
   }
 
  private:
+  static constexpr std::size_t spare_share = 32;  ///< lists differ in length
+
   std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
 
   int width_ = 1;

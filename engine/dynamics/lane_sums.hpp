@@ -69,9 +69,11 @@ struct LaneSums {
     pairs.add_to(s, in, one_of_two);
     walls.add_to(s, in, 1);
     s.gravity_work += in.dt * in.gravity.dot(total(momentum));
-    const double share =
-        bits(within_margins) == all_lanes ? largest(largest_share_squared) : std::numeric_limits<double>::infinity();
-    s.largest_share_squared = std::max(s.largest_share_squared, share);
+    // A share that is not a number hides from the largest, but not from the mask.
+    const double share = largest(largest_share_squared);
+    const bool known = bits(within_margins) == all_lanes || share >= 1;
+    s.largest_share_squared =
+        std::max(s.largest_share_squared, known ? share : std::numeric_limits<double>::infinity());
     s.add(recorded);
     result.displacement += total(displacement);
   }

@@ -151,8 +151,7 @@ TEST_CASE("rebuilding the list keeps the contact's history to the bit") {
     quiet.step();
     busy.step();
   }
-  CHECK(quiet.dynamics->neighbours().builds() < 4);
-  CHECK(busy.dynamics->neighbours().builds() > 5);
+  CHECK(busy.dynamics->neighbours().builds() > quiet.dynamics->neighbours().builds() + 1);
   CHECK(quiet.angular_velocity(0).norm() > 0);
   CHECK(quiet.position(0) == busy.position(0));
   CHECK(quiet.angular_velocity(0) == busy.angular_velocity(0));

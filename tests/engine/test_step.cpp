@@ -1,4 +1,7 @@
 // The fast step, in every width of lanes that this build has, against its slow twin.
+#include <cmath>
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "core/random.hpp"
@@ -175,6 +178,30 @@ TEST_CASE("the step in mixed precision agrees with its slow twin in AVX-512") {
   check_all<MixedPrecision<simd::Avx512Single>>();
 }
 #endif
+
+TEST_CASE("a list that wore out tells by how much, so that the next one can be made to last") {
+  const Bed b = bed("normal = \"linear\"\n", 0, 0.02, 0.02, 300, Mix::none);
+  Particles p = make_particles(b.scene, b.start);
+  NewtonianStep<DoublePrecision<simd::Widest>, Linear<Release::zero_overlap>, Frictionless> step(b.scene, b.scene.box(),
+                                                                                                 make_planes(b.scene));
+  StepInput in;
+  in.dt = step_length;
+  in.overlap_limit = 10;
+  for (int lists = 0; lists < 3; ++lists) {
+    step.rebuild(p, in.growth, in.dt);
+    double share = 0;
+    while (!step.neighbours().outdated(in.growth)) {
+      share = step.advance(p, in, nullptr).largest_share_squared;
+      std::swap(p.now, p.next);
+      REQUIRE(std::isfinite(share));
+    }
+    CHECK(share >= 1);
+    CHECK(share < 1.5);
+  }
+  p.now.rows[0].position.setConstant(std::numeric_limits<double>::quiet_NaN());
+  step.advance(p, in, nullptr);
+  CHECK(step.neighbours().outdated(in.growth));
+}
 
 TEST_CASE("hysteretic damping and a contact that ends with its force agree with the slow twin") {
   const Bed hysteretic = bed("normal = \"hysteretic\"\n", 0, 0.09, 0.014, 450, Mix::third);

@@ -55,7 +55,7 @@ TUNED = {
     ("S1", "liggghts"): Tuning(skin=0.0001),
     ("S2", "lammps"): Tuning(skin=0.0002),
     ("S2", "liggghts"): Tuning(skin=0.0001),
-    ("S3", "lammps"): Tuning(skin=0.0005, bins="multi"),
+    ("S3", "lammps"): Tuning(skin=0.001, bins="multi"),
     ("S3", "liggghts"): Tuning(skin=0.002),
     ("S4", "lammps"): Tuning(skin=0.0005),
     ("S4", "liggghts"): Tuning(skin=0.0005),
