@@ -42,7 +42,7 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
       {"auto", "step", "half-step"}, d.contact_velocity, has_default);
   v.choice({"precision",
             "Of the forces between particles. mixed: single, from positions in fixed point; faster, with overlaps "
-            "rounded by 1e-7 of the radii. Motion, walls and energies are double either way"},
+            "rounded by 1e-7 of the radii. Motion and walls are double either way"},
            {"double", "mixed"}, d.precision, has_default);
 }
 

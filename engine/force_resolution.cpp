@@ -17,7 +17,7 @@ void warn_of_lost_weight(const Scene& scene, const Population& population, std::
     const double weight = material.density * sphere_volume(radius) * scene.gravity.acceleration.norm();
     const double rounding_of_overlap = single_resolution * 0.5 * (radius + largest);
     const double rounding = material.normal_stiffness * rounding_of_overlap;
-    if (rounding <= tolerable * weight) continue;
+    if (weight == 0 || rounding <= tolerable * weight) continue;
     warnings.push_back(fmt::format(
         "dynamics.precision: mixed rounds forces between particles by about {:.2g} N, {:.2g} of the weight of a sphere "
         "of \"{}\"; take double, or a stiffness of {:.2g} N/m or less, where that matters",

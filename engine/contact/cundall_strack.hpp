@@ -12,7 +12,7 @@ namespace packstone::engine {
 /// slides with the contact where it would exceed mu |F_n|. The force follows the spring, not sgn(v_s) as printed.
 struct CundallStrack {
   static constexpr bool active = true;
-  /// Of a spring [m2]; the reciprocal of less is not a number in single precision.
+  /// Of a spring [m2]: the reciprocal of much less overflows in single precision.
   static constexpr double shortest_squared = 1e-36;
 
   template <class T>

@@ -131,7 +131,7 @@ inline HierarchicalGrid::Window HierarchicalGrid::window(const Level& level, int
 template <class Visit>
 [[gnu::always_inline]] inline void HierarchicalGrid::visit_level(const Level& level, const Vec3& point, double extent,
                                                                  Visit& visit) const {
-  constexpr double rounding = 1 + 1e-12;  // a pair found from one side is found from the other
+  constexpr double rounding = 1 + 1e-12;  // of the windows themselves
   constexpr int few_columns = 3;          // across; of so few the sphere cuts off little
   const double reach = (extent + level.extent) * rounding;
   const Window wx = window(level, 0, point[0], reach), wy = window(level, 1, point[1], reach);

@@ -17,9 +17,6 @@ namespace {
 constexpr double least_margin_share = 0.3;
 /// Growth that a list allows for, in times of its planned life.
 constexpr double growth_lives = 2;
-/// By this factor a particle may fly on for longer than the list is to live, so that the fastest do not end every list
-/// and pass for agitation of all.
-constexpr double flight_allowance = 1.25;
 /// Particles searched in one go by a thread.
 constexpr std::size_t search_block = 256;
 /// Particles among which those of similar numbers of neighbours are brought together in groups.
@@ -84,7 +81,7 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
     position_.set(k, own.position);
     // Two extents never reach across half the box: then only one image of a neighbour can come into contact.
     const double room = shortest_side / 4 - largest_scale_ * own.radius;
-    margin_[k] = std::min(margins.size_share * own.radius + flight_allowance * margins.life * speed(k), room);
+    margin_[k] = std::min(margins.size_share * own.radius + Margins::flight_allowance * margins.life * speed(k), room);
     extent_[k] = largest_scale_ * own.radius + margin_[k];
   }
 }

@@ -13,8 +13,8 @@
 namespace packstone::engine {
 
 /// Particles whose forces are summed in one go, one a lane; or one particle with many neighbours, whose neighbours are
-/// spread over the lanes. Both particles of a pair list each other, so that each gathers its own forces in an order
-/// that no thread count changes.
+/// spread over the lanes. Both particles of a pair that can touch list each other, so that each gathers its own forces
+/// in an order that no thread count changes.
 struct NeighbourGroup {
   std::int32_t slot;  ///< of the first particle
   std::int32_t rows;  ///< of `width` entries each
@@ -59,7 +59,7 @@ class NeighbourList {
   /// Neighbours, each pair counted twice.
   std::int64_t pairs() const { return pairs_; }
 
-  /// Of a particle's radius and margin [m].
+  /// Of radius and margin, as the grid allows for them [m].
   double largest_extent() const { return grid_.largest_extent(); }
   /// Where each particle was when the list was built [m].
   const VectorArray& reference() const { return reference_; }

@@ -75,12 +75,13 @@ class ContactForces {
             parameters<L>(tangential_, materials)};
   }
 
-  /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k.
+  /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k;
+  /// where(lane): the first body's position, for the record.
   /// Alike bodies do not grow; for them sums.deepest is the overlap itself.
-  template <bool record, bool alike, class L, class Number, class Who>
+  template <bool record, bool alike, class L, class Number, class Who, class Where>
   [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
                                   const Laws<L>& laws, Springs<Number>& springs, std::int64_t row, const Who& who,
-                                  const StepInput& in, Recorder* recorder, Loads<L>& loads,
+                                  const Where& where, const StepInput& in, Recorder* recorder, Loads<L>& loads,
                                   ContactSums<typename L::Real>& sums, BlockResult& result) const {
     using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
     using Real = typename L::Real;
@@ -136,7 +137,7 @@ class ContactForces {
         c.force.push_back(L::lane(total, lane) * direction + lane_of<L>(tangential_force, lane));
         c.normal.push_back(direction);
         c.overlap.push_back(overlap);
-        c.point.push_back(lane_of<L>(first.position, lane) - (in.growth.scale * radius - 0.5 * overlap) * direction);
+        c.point.push_back(where(lane) - (in.growth.scale * radius - 0.5 * overlap) * direction);
         c.sliding.push_back((sliding >> lane & 1u) != 0);
       }
     }

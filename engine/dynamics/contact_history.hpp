@@ -19,7 +19,7 @@ class Springs {
     width_ = width;
     const std::size_t count = static_cast<std::size_t>(rows) * width * 3;
     if (values_.capacity() < count) {
-      values_ = {};  // before the larger store is there: they are the largest of all
+      AlignedVector<Number>().swap(values_);  // before the larger store is there: they are the largest of all
       values_.reserve(count + count / spare_share);
     }
     values_.assign(count, Number(0));

@@ -32,10 +32,8 @@ template <class L>
                                                  const Bodies<L>& self) {
   using simd::fused;
   using Real = typename L::Real;
-  // Added to this, a number leaves its nearest integer, modulo 2^32, in the low word of the sum.
-  constexpr double integer_in_low_word = 6755399441055744.0;  // 1.5 * 2^52
   const auto place = [&](const Real& x, int axis) {
-    return L::low_word(fused(x, Real(p.places.per_metre[axis]), Real(integer_in_low_word)));
+    return L::low_word(fused(x, Real(p.places.per_metre[axis]), Real(p.places.integer_in_low_word[axis])));
   };
   const typename L::Word low[4] = {place(position.x, 0), place(position.y, 1), place(position.z, 2),
                                    L::narrowed(self.radius)};

@@ -39,7 +39,7 @@ class NewtonianStep final : public Dynamics {
     } else {
       list_.build(particles, growth, dt);
     }
-    if constexpr (Precision::compact) particles.make_compact(period_of_places());
+    if constexpr (Precision::compact) particles.make_compact(period_of_places(), 0.5 * (domain_.min + domain_.max));
   }
 
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override {
@@ -237,9 +237,10 @@ class NewtonianStep final : public Dynamics {
         const auto [first, second] = slots(lane);
         return std::pair<std::int64_t, std::int64_t>{p.id[first], p.id[second]};
       };
+      const auto where = [&](int lane) { return p.now.rows[slots(lane).first].position; };
       const auto add = [&](const auto& laws) __attribute__((always_inline)) {
-        forces_.template add<record, alike, PairLanes>(self, other, at, laws, history_.pairs, row, who, in, recorder,
-                                                       loads, pairs, result);
+        forces_.template add<record, alike, PairLanes>(self, other, at, laws, history_.pairs, row, who, where, in,
+                                                       recorder, loads, pairs, result);
       };
       if constexpr (alike) {
         add(laws_of_alike);
@@ -286,23 +287,26 @@ class NewtonianStep final : public Dynamics {
       const auto who = [&](int lane) {
         return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - static_cast<std::int64_t>(w)};
       };
+      const auto where = [&](int lane) { return p.now.rows[seats.slot + lane].position; };
       const auto materials = [&](int lane) {
         return std::pair{p.material[seats.slot + lane], static_cast<std::int32_t>(plane.material)};
       };
       const auto laws = forces_.template laws<L>(materials, self.inverse_mass);
-      forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, in, recorder, loads,
+      forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, where, in, recorder, loads,
                                              sums.walls, result);
     }
     move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, occupied, in, recorder, sums);
   }
 
-  /// Long enough that neighbours are less than half of it apart, and as many to the side of a periodic box as go in.
+  /// Long enough that neighbours are less than half of it apart. A power of two, or the side of a periodic box over
+  /// one: so a step of it rounds to single precision in the same way in every list, or not at all.
   Vec3 period_of_places() const {
     constexpr double largest_extents = 8;  // two reach to one another, and as far again while the list serves
-    Vec3 period = Vec3::Constant(largest_extents * list_.largest_extent());
+    const double least = largest_extents * list_.largest_extent();
+    Vec3 period = Vec3::Constant(std::exp2(std::ceil(std::log2(least))));
     for (int axis = 0; axis < 3; ++axis) {
       const double side = domain_.size()[axis];
-      if (domain_.periodic[axis]) period[axis] = side / std::max(1.0, std::floor(side / period[axis]));
+      if (domain_.periodic[axis]) period[axis] = side / std::exp2(std::max(0.0, std::floor(std::log2(side / least))));
     }
     return period;
   }

@@ -1,10 +1,12 @@
 #include "engine/dynamics/particles.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "engine/simd/scalar.hpp"
 #include "engine/threads.hpp"
 
 namespace packstone::engine {
@@ -54,10 +56,14 @@ std::array<float, 3> narrowed(const Vec3& v) {
 
 }  // namespace
 
-void Particles::make_compact(const Vec3& period) {
+void Particles::make_compact(const Vec3& period, const Vec3& middle) {
   constexpr double places_in_period = 4294967296.0;  // 2^32
   places.per_metre = places_in_period * period.cwiseInverse();
   places.metres = period / places_in_period;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double periods = std::nearbyint(middle[axis] / period[axis]);
+    places.integer_in_low_word[axis] = 0x1.8p52 - periods * places_in_period;
+  }
   for (Kinematics* instant : {&now, &next}) {
     instant->compact_rows.resize(slots());
     instant->compact_spins.resize(turns() ? slots() : 0);
@@ -72,8 +78,8 @@ void Particles::make_compact(const Vec3& period) {
       compact.radius = std::numeric_limits<float>::quiet_NaN();
     } else {
       for (int axis = 0; axis < 3; ++axis) {
-        compact.place[axis] = static_cast<std::int32_t>(
-            static_cast<std::uint32_t>(std::llrint(row.position[axis] * places.per_metre[axis])));
+        const double sum = simd::fused(row.position[axis], places.per_metre[axis], places.integer_in_low_word[axis]);
+        compact.place[axis] = static_cast<std::int32_t>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(sum)));
       }
       compact.radius = static_cast<float>(row.radius);
       compact.velocity = narrowed(row.velocity);

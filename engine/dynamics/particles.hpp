@@ -53,11 +53,12 @@ struct alignas(32) CompactRow {
   static constexpr std::uint32_t words = 8, velocity_at = 4;  ///< for reading columns of words out of rows
 
   std::array<std::int32_t, 3> place = {};  ///< position in steps of Places, modulo 2^32
-  float radius = 0;                        ///< at full size [m]; not a number in an empty slot, so that nothing touches
-  std::array<float, 3> velocity = {};      ///< [m/s]
-  float inverse_mass = 0;                  ///< at full size [1/kg]
+  float radius = 0;  ///< at full size [m]; not a number in the slot of nobody, so that nothing touches
+  std::array<float, 3> velocity = {};  ///< [m/s]
+  float inverse_mass = 0;              ///< at full size [1/kg]
 };
 static_assert(sizeof(CompactRow) == CompactRow::words * sizeof(float));
+static_assert(CompactRow::words == Row::doubles, "entries of the neighbour list count both");
 static_assert(offsetof(CompactRow, velocity) == CompactRow::velocity_at * sizeof(float));
 
 /// How it turns, in single precision.
@@ -74,6 +75,9 @@ static_assert(sizeof(CompactSpin) == CompactSpin::words * sizeof(float));
 /// times; it is right as long as neighbours are less than half a period apart.
 struct Places {
   Vec3 per_metre = Vec3::Zero(), metres = Vec3::Zero();
+  /// Added to this, x times per_metre leaves its nearest integer, modulo 2^32, in the low word of the sum: 1.5 * 2^52
+  /// less a multiple of 2^32 that brings the middle of the box near to 0.
+  Vec3 integer_in_low_word = Vec3::Zero();
 };
 
 /// One instant; kept twice, one read while the other is written.
@@ -112,8 +116,8 @@ struct Particles {
 
   /// Puts into each slot what was in slot `from[slot]`, nothing where that is no_particle. The last must be so.
   void reorder(const std::vector<std::int32_t>& from);
-  /// Makes the compact rows from the others. period: of the places, along each axis [m].
-  void make_compact(const Vec3& period);
+  /// Makes the compact rows from the others. period: of the places, along each axis [m]; middle: of the box [m].
+  void make_compact(const Vec3& period, const Vec3& middle);
 };
 
 /// Radii as a share of full size; 1 and 0 outside a growth filling.

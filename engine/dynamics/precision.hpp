@@ -73,8 +73,10 @@ class DoublePrecision {
   template <bool alike>
   [[gnu::always_inline]] simd::Vector<Real> separation(const Bodies<PairLanes>& self, const std::uint32_t* neighbour,
                                                        bool images, Real& radius) const {
+    constexpr int columns = alike ? 3 : 4;
     radius = self.radius;
-    const simd::Vector<Real> d = self.position - positions < alike ? 3 : 4 > (neighbour, radius);
+    const simd::Vector<Real> there = positions<columns>(neighbour, radius);
+    const simd::Vector<Real> d = self.position - there;
     return images ? nearest_image(d) : d;
   }
   /// Radii are in the fourth column.

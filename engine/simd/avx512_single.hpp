@@ -1,5 +1,5 @@
-// Sixteen lanes of single precision in AVX-512 registers (F, DQ, VL). See scalar.hpp and single.hpp for what each
-// operation means.
+// Sixteen lanes of single precision in AVX-512 registers (F, DQ, VL). See scalar.hpp and scalar_single.hpp for what
+// each operation means.
 #pragma once
 
 #include "engine/simd/avx512.hpp"

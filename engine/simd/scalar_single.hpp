@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cstring>
 
 #include "engine/simd/scalar.hpp"
 
@@ -37,12 +38,12 @@ struct ScalarSingle {
   /// Reads three or four consecutive words of one row a lane; that of lane k begins at base + offset[k].
   template <int columns>
   static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
-    for (int c = 0; c < columns; ++c) column[c] = base[*offset + c];
+    std::memcpy(column, base + *offset, columns * sizeof(float));
   }
   /// The same of `width` rows in sequence.
   template <int columns, std::size_t stride>
   static void read_columns(const float* rows, Real* column) {
-    for (int c = 0; c < columns; ++c) column[c] = rows[c];
+    std::memcpy(column, rows, columns * sizeof(float));
   }
 };
 

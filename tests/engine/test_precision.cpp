@@ -38,7 +38,7 @@ Rounding rounding_of_overlaps(double ratio) {
     const Vec3 there = vector(0, 100 * large);
     p.now.rows[0] = {domain.wrapped(there + (reach - overlap) * vector(-1, 1).normalized()), small, Vec3::Zero(), 1};
     p.now.rows[1] = {there, large, Vec3::Zero(), 1};
-    p.make_compact(domain.size() / 12);  // just over eight extents
+    p.make_compact(domain.size() / 12, 0.5 * domain.size());  // just over eight extents
     const Mixed seen(p, domain);
     const std::uint32_t neighbour = Row::doubles;
     float radius = 0;
@@ -60,7 +60,7 @@ TEST_CASE("overlaps in single precision are off by what is stated, at any ratio 
   const double ratio = GENERATE(1.0, 3.0, 10.0, 50.0);
   const Rounding rounding = rounding_of_overlaps(ratio);
   INFO("ratio " << ratio << ": rms " << rounding.rms << ", largest " << rounding.largest);
-  CHECK(rounding.rms < 1.3 * single_resolution);
+  CHECK(rounding.rms < 1.5 * single_resolution);
   CHECK(rounding.rms > 0.5 * single_resolution);
   CHECK(rounding.largest < 6 * single_resolution);
 }

@@ -89,6 +89,14 @@ TEST_CASE("a run in mixed precision ends where one in double precision does") {
   for (const char* energy : {"gravitational", "dissipated", "growth_work", "gravity_work"}) {
     CHECK(last(a, energy) == Approx(last(b, energy)).epsilon(0.01));
   }
+  const Snapshot end = RunReader(folder / "mixed").snapshot(4);
+  REQUIRE(end.contacts->size() > 5);
+  for (std::size_t c = 0; c < end.contacts->size(); ++c) {
+    const auto first =
+        static_cast<std::size_t>(std::find(end.id.begin(), end.id.end(), end.contacts->first[c]) - end.id.begin());
+    const double lever = end.domain.separation(end.contacts->point[c], end.position[first]).norm();
+    CHECK(lever == Approx(end.radius[first] - 0.5 * end.contacts->overlap[c]).epsilon(1e-6));
+  }
   CHECK(last(a, "packing_fraction") == Approx(last(b, "packing_fraction")).margin(0.005));
 }
 
