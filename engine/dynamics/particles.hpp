@@ -58,7 +58,6 @@ struct alignas(32) CompactRow {
   float inverse_mass = 0;              ///< at full size [1/kg]
 };
 static_assert(sizeof(CompactRow) == CompactRow::words * sizeof(float));
-static_assert(CompactRow::words == Row::doubles, "entries of the neighbour list count both");
 static_assert(offsetof(CompactRow, velocity) == CompactRow::velocity_at * sizeof(float));
 
 /// How it turns, in single precision.

@@ -11,10 +11,11 @@
 #include <immintrin.h>
 
 #include "engine/simd/arithmetic.hpp"
+#include "engine/simd/columns.hpp"
 
 namespace packstone::engine::simd {
 
-struct Avx2 {
+struct Avx2 : ReadsColumns<Avx2, double> {
   static constexpr int width = 4;
   static constexpr const char* name = "AVX2";
 
@@ -65,19 +66,6 @@ struct Avx2 {
     return _mm256_setr_pd(table[index[0]], table[index[1]], table[index[2]], table[index[3]]);
   }
 
-  template <int columns>
-  [[gnu::always_inline]] static void read_columns(const double* base, const std::uint32_t* offset, Real* column) {
-    const auto row = [&](int k) { return base + offset[k]; };
-    read_half<columns>(row, 0, column);
-    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
-  }
-  template <int columns, std::size_t stride>
-  [[gnu::always_inline]] static void read_columns(const double* rows, Real* column) {
-    const auto row = [&](int k) { return rows + stride * static_cast<std::size_t>(k); };
-    read_half<columns>(row, 0, column);
-    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
-  }
-
   template <std::size_t stride>
   [[gnu::always_inline]] static void write_columns(double* rows, const Real* column) {
     __m256d row[4];
@@ -100,6 +88,8 @@ struct Avx2 {
   }
 
  private:
+  friend struct ReadsColumns<Avx2, double>;
+
   static void transpose(__m256d a, __m256d b, __m256d c, __m256d d, __m256d* to) {
     const __m256d ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
     const __m256d cd_even = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
@@ -110,11 +100,10 @@ struct Avx2 {
   }
 
   template <int columns, class RowAt>
-  [[gnu::always_inline]] static void read_half(const RowAt& row, int offset, Real* column) {
+  [[gnu::always_inline]] static void read(const RowAt& row, Real* column) {
     __m256d all[4];
-    transpose(_mm256_loadu_pd(row(0) + offset), _mm256_loadu_pd(row(1) + offset), _mm256_loadu_pd(row(2) + offset),
-              _mm256_loadu_pd(row(3) + offset), all);
-    for (int c = 0; c < (columns < 4 ? columns : 4); ++c) column[c].v = all[c];
+    transpose(_mm256_loadu_pd(row(0)), _mm256_loadu_pd(row(1)), _mm256_loadu_pd(row(2)), _mm256_loadu_pd(row(3)), all);
+    for (int c = 0; c < columns; ++c) column[c].v = all[c];
   }
 };
 

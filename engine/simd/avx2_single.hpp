@@ -8,7 +8,7 @@
 
 namespace packstone::engine::simd {
 
-struct Avx2Single {
+struct Avx2Single : ReadsColumns<Avx2Single, float> {
   using Whole = Avx2;
   static constexpr int width = 8;
   static constexpr const char* name = "AVX2, single precision";
@@ -72,16 +72,9 @@ struct Avx2Single {
     return count;
   }
 
-  template <int columns>
-  [[gnu::always_inline]] static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
-    read<columns>([&](int k) { return base + offset[k]; }, column);
-  }
-  template <int columns, std::size_t stride>
-  [[gnu::always_inline]] static void read_columns(const float* rows, Real* column) {
-    read<columns>([&](int k) { return rows + stride * static_cast<std::size_t>(k); }, column);
-  }
-
  private:
+  friend struct ReadsColumns<Avx2Single, float>;
+
   template <int columns, class RowAt>
   [[gnu::always_inline]] static void read(const RowAt& row, Real* column) {
     const auto two = [&](int k) {

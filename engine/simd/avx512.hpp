@@ -11,10 +11,11 @@
 #include <immintrin.h>
 
 #include "engine/simd/arithmetic.hpp"
+#include "engine/simd/columns.hpp"
 
 namespace packstone::engine::simd {
 
-struct Avx512 {
+struct Avx512 : ReadsColumns<Avx512, double> {
   static constexpr int width = 8;
   static constexpr const char* name = "AVX-512";
 
@@ -83,19 +84,6 @@ struct Avx512 {
     return _mm512_setr_pd(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
   }
 
-  template <int columns>
-  [[gnu::always_inline]] static void read_columns(const double* base, const std::uint32_t* offset, Real* column) {
-    const auto row = [&](int k) { return base + offset[k]; };
-    read_half<columns>(row, 0, column);
-    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
-  }
-  template <int columns, std::size_t stride>
-  [[gnu::always_inline]] static void read_columns(const double* rows, Real* column) {
-    const auto row = [&](int k) { return rows + stride * static_cast<std::size_t>(k); };
-    read_half<columns>(row, 0, column);
-    if constexpr (columns > 4) read_half<columns - 4>(row, 4, column + 4);
-  }
-
   template <std::size_t stride>
   [[gnu::always_inline]] static void write_columns(double* rows, const Real* column) {
     const __m512d xy_even = _mm512_maskz_unpacklo_pd(all, column[0].v, column[1].v);
@@ -139,13 +127,14 @@ struct Avx512 {
   }
 
  private:
-  /// Up to four columns from `offset` on. Two half rows go into one register straight from memory, which spares a third
+  friend struct ReadsColumns<Avx512, double>;
+
+  /// Two half rows go into one register straight from memory, which spares a third
   /// of the shuffles of an 8 x 8 transpose; gather instructions are slower still.
   template <int columns, class RowAt>
-  [[gnu::always_inline]] static void read_half(const RowAt& row, int offset, Real* column) {
+  [[gnu::always_inline]] static void read(const RowAt& row, Real* column) {
     const auto two = [&](int a, int b) {
-      return _mm512_maskz_insertf64x4(all, _mm512_castpd256_pd512(_mm256_loadu_pd(row(a) + offset)),
-                                      _mm256_loadu_pd(row(b) + offset), 1);
+      return _mm512_maskz_insertf64x4(all, _mm512_castpd256_pd512(_mm256_loadu_pd(row(a))), _mm256_loadu_pd(row(b)), 1);
     };
     const __m512d a = two(0, 2), b = two(1, 3), c = two(4, 6), d = two(5, 7);
     const __m512d even_low = _mm512_maskz_unpacklo_pd(all, a, b), even_high = _mm512_maskz_unpacklo_pd(all, c, d);

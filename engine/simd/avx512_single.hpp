@@ -8,7 +8,7 @@
 
 namespace packstone::engine::simd {
 
-struct Avx512Single {
+struct Avx512Single : ReadsColumns<Avx512Single, float> {
   using Whole = Avx512;
   static constexpr int width = 16;
   static constexpr const char* name = "AVX-512, single precision";
@@ -80,16 +80,9 @@ struct Avx512Single {
     return std::popcount(mask.bits);
   }
 
-  template <int columns>
-  [[gnu::always_inline]] static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
-    read<columns>([&](int k) { return base + offset[k]; }, column);
-  }
-  template <int columns, std::size_t stride>
-  [[gnu::always_inline]] static void read_columns(const float* rows, Real* column) {
-    read<columns>([&](int k) { return rows + stride * static_cast<std::size_t>(k); }, column);
-  }
-
  private:
+  friend struct ReadsColumns<Avx512Single, float>;
+
   /// Four rows go into one register straight from memory, so that a transpose within quarters of it is enough.
   template <int columns, class RowAt>
   [[gnu::always_inline]] static void read(const RowAt& row, Real* column) {

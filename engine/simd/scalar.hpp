@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/simd/columns.hpp"
+
 namespace packstone::engine::simd {
 
 /// a b + c, rounded once where the processor has the instruction.
@@ -64,7 +66,7 @@ inline double sum(double x) { return x; }
 inline double largest(double x) { return x; }
 
 /// The set of operations with one lane.
-struct Scalar {
+struct Scalar : ReadsColumns<Scalar, double> {
   using Real = double;
   using Mask = bool;
   static constexpr int width = 1;
@@ -77,16 +79,10 @@ struct Scalar {
   /// table[index] of every lane.
   static Real gather(const double* table, const std::int32_t* index) { return table[*index]; }
 
-  /// Reads `columns` consecutive doubles of one row a lane; that of lane k begins at base + offset[k].
-  template <int columns>
-  static void read_columns(const double* base, const std::uint32_t* offset, Real* column) {
-    const double* row = base + *offset;
-    for (int c = 0; c < columns; ++c) column[c] = row[c];
-  }
-  /// The same of `width` rows in sequence.
-  template <int columns, std::size_t stride>
-  static void read_columns(const double* rows, Real* column) {
-    for (int c = 0; c < columns; ++c) column[c] = rows[c];
+  /// For ReadsColumns.
+  template <int columns, class RowAt>
+  static void read(const RowAt& row, Real* column) {
+    std::copy_n(row(0), columns, column);
   }
   /// Writes four columns into `width` rows in sequence.
   template <std::size_t stride>

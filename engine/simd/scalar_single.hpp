@@ -8,7 +8,7 @@
 
 namespace packstone::engine::simd {
 
-struct ScalarSingle {
+struct ScalarSingle : ReadsColumns<ScalarSingle, float> {
   using Whole = Scalar;  ///< lanes that this one's are widened to
   using Real = float;
   using Mask = bool;
@@ -35,15 +35,10 @@ struct ScalarSingle {
     return mask;
   }
 
-  /// Reads three or four consecutive words of one row a lane; that of lane k begins at base + offset[k].
-  template <int columns>
-  static void read_columns(const float* base, const std::uint32_t* offset, Real* column) {
-    std::memcpy(column, base + *offset, columns * sizeof(float));
-  }
-  /// The same of `width` rows in sequence.
-  template <int columns, std::size_t stride>
-  static void read_columns(const float* rows, Real* column) {
-    std::memcpy(column, rows, columns * sizeof(float));
+  /// Words of either kind, so byte by byte.
+  template <int columns, class RowAt>
+  static void read(const RowAt& row, Real* column) {
+    std::memcpy(column, row(0), columns * sizeof(Real));
   }
 };
 
