@@ -124,7 +124,7 @@ struct OptionReader::Impl {
 
   const toml::node* find(const OptionInfo& info, Presence presence) {
     const toml::node* node = find(info);
-    if (!node && presence == Presence::required) {
+    if (!node && presence == Presence::required && levels.back().table) {
       if (const auto misspelt = nearest_name(info.key, strangers())) fail_unknown(*misspelt, std::string(info.key));
       const std::string& table = levels.back().path;
       const auto found = locations.find(table);

@@ -10,6 +10,7 @@
 #include "core/geometry.hpp"
 #include "core/hash.hpp"
 #include "core/options_reader.hpp"
+#include "core/scene_checks.hpp"
 #include "core/text.hpp"
 
 namespace packstone {
@@ -18,11 +19,9 @@ namespace {
 
 using enum Presence;
 
-/// Restitution exp(-2) of a critically damped linear contact that ends with its force.
-constexpr double least_zero_force_restitution = 0.1353352832366127;
+/// Where van der Waals' force has fallen to 1e-4 of what it is at the smallest gap.
+constexpr double cutoff_over_min_gap = 100;
 
-const ChoiceNames axes = {"x", "y", "z"};
-const ChoiceNames faces = {"x-", "x+", "y-", "y+", "z-", "z+"};
 const ChoiceNames output_fields = {"velocity", "angular_velocity", "force"};
 const ChoiceNames dynamics_kinds = {"newtonian"};
 
@@ -67,28 +66,71 @@ void describe_gravity(OptionVisitor& v, GravitySpec& g) {
   v.number({"start", "Time from which it acts", unit::second, Range::at_least(0)}, g.start, has_default);
 }
 
+void describe_van_der_waals(OptionVisitor& v, VanDerWaalsSpec& w) {
+  v.number({"hamaker", "Hamaker constant A; the attraction is A R_eff / (6 h^2) at a gap h", unit::energy,
+            Range::positive()},
+           w.hamaker, required);
+  v.number({"min_gap", "Gap at which the attraction stops growing; in contact it is what it is there", unit::metre,
+            Range::positive()},
+           w.min_gap, has_default);
+  v.number({"cutoff", "Gap beyond which there is none; 100 min_gap unless given", unit::metre, Range::positive()},
+           w.cutoff);
+}
+
 void describe_contact(OptionVisitor& v, ContactSpec& c) {
-  v.choice({"normal", "Normal contact law"}, {"linear", "hysteretic"}, c.normal, required);
-  v.choice({"tangential", "Tangential contact law"}, {"none", "cundall-strack"}, c.tangential, has_default);
-  v.choice({"release", "End of a linear contact: when the overlap is zero, or when the force would turn to a pull"},
-           {"zero-overlap", "zero-force"}, c.release, has_default);
+  v.choice({"normal", "Normal contact law"}, normal_laws, c.normal, required);
+  v.choice({"tangential", "Tangential contact law"}, tangential_laws, c.tangential, has_default);
+  v.choice(
+      {"release",
+       "End of a linear, hertz or kuwabara-kono contact: when the overlap is zero, or when the force would turn to "
+       "a pull"},
+      {"zero-overlap", "zero-force"}, c.release, has_default);
+  v.number({"sign_speed",
+            "hysteretic: the damping's sign is the rate of overlap over this speed, held within -1 and 1, so that a "
+            "bed comes to rest; 0: it jumps",
+            unit::speed, Range::at_least(0)},
+           c.sign_speed, has_default);
+  v.optional_table({"van_der_waals", "Attraction between surfaces; none when left out"}, c.van_der_waals.present,
+                   [&] { describe_van_der_waals(v, c.van_der_waals); });
 }
 
 void describe_material(OptionVisitor& v, MaterialSpec& m) {
+  const auto stiffness = [&](const char* key, const char* help, std::optional<double>& value) {
+    v.number({key, help, unit::stiffness, Range::positive()}, value);
+  };
   v.text({"name", "Name that particles and boundaries refer to"}, m.name, required);
   v.number({"density", "Density", unit::density, Range::positive()}, m.density, required);
-  v.number(
-      {"normal_stiffness", "Spring constant k_n of a contact of two such bodies", unit::stiffness, Range::positive()},
-      m.normal_stiffness, required);
-  v.number(
-      {"tangential_stiffness", "Spring constant k_s; needed by cundall-strack", unit::stiffness, Range::positive()},
-      m.tangential_stiffness);
-  v.number({"normal_damping", "Damping: hysteretic a pure number g below 1, linear a coefficient in N s/m",
+  stiffness(
+      "normal_stiffness",
+      "Spring constant k_n of a contact of two such bodies, walton-braun: k_1 of first loading; needed by linear, "
+      "walton-braun and hysteretic",
+      m.normal_stiffness);
+  stiffness("unloading_stiffness", "walton-braun: k_2 of unloading, at least normal_stiffness; or give restitution",
+            m.unloading_stiffness);
+  v.number({"young_modulus", "Young's modulus E; needed by hertz, kuwabara-kono and mindlin-deresiewicz",
+            unit::pressure, Range::positive()},
+           m.young_modulus);
+  v.number({"poisson_ratio", "Poisson's ratio nu; needed with young_modulus", unit::none, Range::between(0, 0.5)},
+           m.poisson_ratio);
+  v.number({"normal_damping", "Damping: hysteretic a pure number g below 1, linear and hertz a coefficient in N s/m",
             unit::damping, Range::at_least(0)},
            m.normal_damping);
-  v.number(
-      {"restitution", "Coefficient of restitution, instead of normal_damping", unit::none, Range::above_up_to(0, 1)},
-      m.restitution);
+  v.number({"restitution",
+            "Coefficient of restitution, instead of normal_damping or unloading_stiffness; the same at any speed",
+            unit::none, Range::above_up_to(0, 1)},
+           m.restitution);
+  v.number({"dissipation_time", "kuwabara-kono: B; or give shear_viscosity and bulk_viscosity", unit::second,
+            Range::at_least(0)},
+           m.dissipation_time);
+  v.number({"shear_viscosity", "kuwabara-kono: eta_1 of the material", unit::viscosity, Range::at_least(0)},
+           m.shear_viscosity);
+  v.number({"bulk_viscosity", "kuwabara-kono: eta_2 of the material", unit::viscosity, Range::at_least(0)},
+           m.bulk_viscosity);
+  stiffness("tangential_stiffness",
+            "Spring constant k_s, walton-braun: K_0 of first loading; needed by cundall-strack and walton-braun",
+            m.tangential_stiffness);
+  v.number({"tangential_damping", "haff-werner, required: viscous coefficient g_s", unit::damping, Range::positive()},
+           m.tangential_damping);
   v.number({"friction", "Coulomb friction coefficient", unit::none, Range::at_least(0)}, m.friction, has_default);
 }
 
@@ -146,131 +188,9 @@ void describe_monitor(OptionVisitor& v, MonitorSpec& m) {
            m.energy_tolerance, has_default);
 }
 
-void check_names(const Scene& s) {
-  std::set<std::string> names;
-  for (std::size_t k = 0; k < s.materials.size(); ++k) {
-    if (!names.insert(s.materials[k].name).second) {
-      s.fail(fmt::format("material[{}].name", k),
-             fmt::format("\"{}\" is taken; give each material its own name", s.materials[k].name));
-    }
-  }
-  const std::vector<std::string> known(names.begin(), names.end());
-  const auto check = [&](const std::string& path, const std::string& name) {
-    if (names.count(name)) return;
-    const auto near = nearest_name(name, known);
-    s.fail(path, fmt::format("no material \"{}\"; {}", name,
-                             near ? fmt::format("did you mean \"{}\"?", *near) : "there are: " + joined(known)));
-  };
-  for (std::size_t k = 0; k < s.particles.size(); ++k) {
-    check(fmt::format("particles[{}].material", k), s.particles[k].material);
-  }
-  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
-    check(fmt::format("boundary[{}].material", k), s.boundaries[k].material);
-    if (s.boundaries[k].normal.norm() == 0) s.fail(fmt::format("boundary[{}].normal", k), "has no length");
-  }
-}
-
-void check_damping_kinds(const Scene& s) {
-  if (s.contact.normal != NormalModel::linear) return;
-  for (std::size_t k = 1; k < s.materials.size(); ++k) {
-    if (s.materials[k].restitution.has_value() == s.materials.front().restitution.has_value()) continue;
-    s.fail(fmt::format("material[{}]", k),
-           "with contact.normal = \"linear\" all materials give normal_damping, or all give restitution");
-  }
-}
-
-void check_materials(const Scene& s) {
-  for (std::size_t k = 0; k < s.materials.size(); ++k) {
-    const MaterialSpec& m = s.materials[k];
-    const std::string path = fmt::format("material[{}]", k);
-    if (m.normal_damping && m.restitution) {
-      s.fail(path + ".restitution", "is given beside normal_damping; keep one of the two");
-    }
-    if (!m.normal_damping && !m.restitution) s.fail(path, "needs normal_damping or restitution");
-    if (s.contact.normal == NormalModel::linear && s.contact.release == Release::zero_force &&
-        m.restitution.value_or(1) < least_zero_force_restitution) {
-      s.fail(path + ".restitution", fmt::format("{:g} cannot be reached with contact.release = \"zero-force\", whose "
-                                                "restitution is {:.3f} at critical damping; take \"zero-overlap\"",
-                                                *m.restitution, least_zero_force_restitution));
-    }
-    if (s.contact.normal == NormalModel::hysteretic && m.normal_damping.value_or(0) >= 1) {
-      s.fail(path + ".normal_damping",
-             fmt::format("{:g} would pull on unloading; hysteretic damping is from 0 to below 1", *m.normal_damping));
-    }
-    if (s.contact.tangential == TangentialModel::cundall_strack && !m.tangential_stiffness) {
-      s.fail(path, "needs tangential_stiffness for contact.tangential = \"cundall-strack\"");
-    }
-  }
-}
-
-/// A wall that leans towards a periodic side would stand elsewhere in every image.
-void check_walls(const Scene& s) {
-  const Domain box = s.box();
-  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!box.periodic[axis] || s.boundaries[k].normal[axis] == 0) continue;
-      s.fail(fmt::format("boundary[{}].normal", k),
-             fmt::format("has a component along {}, which is periodic; make the axis not periodic, or the component 0",
-                         axes[axis]));
-    }
-  }
-}
-
-void refuse_given(const Scene& s, const std::string& path, bool given, const std::string& why) {
-  if (given) s.fail(path, "is given beside filling.kind = " + why);
-}
-
-void check_growth_keys(const Scene& s) {
-  if (!s.filling.duration) s.fail("filling", "needs duration, the time the growth takes [s], with kind = \"growth\"");
-  refuse_given(s, "filling.path", s.filling.path.has_value(), "\"growth\"; take kind = \"file\", or leave it out");
-  for (std::size_t k = 0; k < s.particles.size(); ++k) {
-    const std::string path = fmt::format("particles[{}]", k);
-    if (!s.particles[k].count) s.fail(path, "needs count, the number of particles");
-    if (!s.particles[k].radius) s.fail(path, "needs radius [m]");
-  }
-}
-
-void check_file_keys(const Scene& s) {
-  const FillingSpec& f = s.filling;
-  if (!f.path) s.fail("filling", "needs path, the file that holds the particles, with kind = \"file\"");
-  const std::string nothing_grows = "\"file\", whose particles have their place and full size at once; leave it out";
-  refuse_given(s, "filling.duration", f.duration.has_value(), nothing_grows);
-  refuse_given(s, "filling.region_min", f.region_min.has_value(), nothing_grows);
-  refuse_given(s, "filling.region_max", f.region_max.has_value(), nothing_grows);
-  refuse_given(s, "domain.volume_factor", s.domain.volume_factor.has_value(),
-               "\"file\", whose particles have their places in a box of their own; give min and max");
-  for (std::size_t k = 0; k < s.particles.size(); ++k) {
-    const std::string path = fmt::format("particles[{}]", k);
-    const std::string file_has_it =
-        "\"file\": the file says how many particles there are and of what radius; leave it out";
-    refuse_given(s, path + ".count", s.particles[k].count.has_value(), file_has_it);
-    refuse_given(s, path + ".radius", s.particles[k].radius.has_value(), file_has_it);
-  }
-}
-
-void check_filling(const Scene& s) {
-  s.filling.kind == FillingKind::growth ? check_growth_keys(s) : check_file_keys(s);
-}
-
-void check_domain(const Scene& s) {
-  const DomainSpec& d = s.domain;
-  if (d.volume_factor ? (d.min || d.max || !d.aspect) : (!d.min || !d.max || d.aspect)) {
-    s.fail("domain", "needs either min and max, or volume_factor and aspect");
-  }
-  const Domain box = s.box();
-  for (int k = 0; k < 3; ++k) {
-    if (!(box.max[k] > box.min[k])) s.fail("domain.max", "must lie above domain.min along every axis");
-  }
-  for (int face : d.open) {
-    if (box.periodic[face / 2]) s.fail("domain.open", fmt::format("\"{}\" is a periodic side", faces[face]));
-  }
-  const Vec3 low = s.filling.region_min.value_or(box.min), high = s.filling.region_max.value_or(box.max);
-  if ((low.array() < box.min.array()).any()) s.fail("filling.region_min", "lies outside the domain");
-  if ((high.array() > box.max.array()).any()) s.fail("filling.region_max", "lies outside the domain");
-  if ((high.array() <= low.array()).any()) s.fail("filling.region_max", "must lie above filling.region_min");
-}
-
 void fill_defaults(Scene& s) {
+  VanDerWaalsSpec& attraction = s.contact.van_der_waals;
+  if (attraction.present && !attraction.cutoff) attraction.cutoff = cutoff_over_min_gap * attraction.min_gap;
   for (auto& group : s.particles) {
     if (group.name.empty()) group.name = group.material;
   }
@@ -295,12 +215,7 @@ Scene parse_scene_in(const std::filesystem::path& folder, const std::string& tex
   reader.finish();
   fill_defaults(scene);
   complete_path(scene, folder);
-  check_names(scene);
-  check_materials(scene);
-  check_damping_kinds(scene);
-  check_filling(scene);
-  check_domain(scene);
-  check_walls(scene);
+  check(scene);
   return scene;
 }
 

@@ -15,8 +15,8 @@
 
 namespace packstone {
 
-enum class NormalModel { linear, hysteretic };
-enum class TangentialModel { none, cundall_strack };
+enum class NormalModel { linear, hertz, kuwabara_kono, walton_braun, hysteretic };
+enum class TangentialModel { none, coulomb, haff_werner, cundall_strack, mindlin_deresiewicz, walton_braun };
 /// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
 enum class Release { zero_overlap, zero_force };
 enum class FillingKind { growth, file };
@@ -52,19 +52,38 @@ struct GravitySpec {
   double start = 0;                      ///< [s]
 };
 
+/// Attraction between surfaces, in contact and across a gap.
+struct VanDerWaalsSpec {
+  bool present = false;
+  double hamaker = 0;            ///< Hamaker constant [J]
+  double min_gap = 1e-9;         ///< at which the attraction stops growing [m]
+  std::optional<double> cutoff;  ///< gap beyond which it is left out [m]; 100 min_gap unless given
+  double range() const { return present ? *cutoff : 0; }
+};
+
 struct ContactSpec {
   NormalModel normal = NormalModel::linear;
   TangentialModel tangential = TangentialModel::none;
   Release release = Release::zero_overlap;
+  double sign_speed = 0;  ///< of the hysteretic law's regularised sign [m/s]; 0: it jumps
+  VanDerWaalsSpec van_der_waals;
 };
 
 struct MaterialSpec {
   std::string name;
-  double density = 0;                          ///< [kg/m3]
-  double normal_stiffness = 0;                 ///< [N/m]
-  std::optional<double> tangential_stiffness;  ///< [N/m]
-  std::optional<double> normal_damping;        ///< hysteretic: pure number; linear: [N s/m]
+  double density = 0;  ///< [kg/m3]
+  // Those that the scene's laws need are there once it has been read.
+  std::optional<double> normal_stiffness;     ///< [N/m]
+  std::optional<double> unloading_stiffness;  ///< walton-braun [N/m]
+  std::optional<double> young_modulus;        ///< [Pa]
+  std::optional<double> poisson_ratio;
+  std::optional<double> normal_damping;        ///< hysteretic: pure number; linear and hertz: [N s/m]
   std::optional<double> restitution;           ///< instead of normal_damping
+  std::optional<double> dissipation_time;      ///< B of kuwabara-kono [s]
+  std::optional<double> shear_viscosity;       ///< eta_1, instead of dissipation_time with bulk_viscosity [Pa s]
+  std::optional<double> bulk_viscosity;        ///< eta_2 [Pa s]
+  std::optional<double> tangential_stiffness;  ///< [N/m]
+  std::optional<double> tangential_damping;    ///< haff-werner [N s/m]
   double friction = 0;
 };
 

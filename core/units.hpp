@@ -29,6 +29,9 @@ inline constexpr Unit acceleration{{1, 0, -2}, "m/s2"};
 inline constexpr Unit speed{{1, 0, -1}, "m/s"};
 inline constexpr Unit stiffness{{0, 1, -2}, "N/m"};
 inline constexpr Unit damping{{0, 1, -1}, "N s/m"};
+inline constexpr Unit pressure{{-1, 1, -2}, "Pa"};
+inline constexpr Unit viscosity{{-1, 1, -1}, "Pa s"};
+inline constexpr Unit energy{{2, 1, -2}, "J"};
 }  // namespace unit
 
 /// Value in SI of text such as "20 mm", "9.8 m/s2", "1e-3" (already SI), "30 deg".

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/geometry.hpp"
+#include "engine/contact/contact_scales.hpp"
 
 namespace packstone::engine {
 
@@ -14,9 +15,13 @@ void warn_of_lost_weight(const Scene& scene, const Population& population, std::
     if (population[g].count == 0) continue;
     const MaterialSpec& material = scene.materials[scene.material_index(scene.particles[g].material)];
     const double radius = population[g].smallest_radius;
-    const double weight = material.density * sphere_volume(radius) * scene.gravity.acceleration.norm();
+    const double mass = material.density * sphere_volume(radius);
+    const double weight = mass * scene.gravity.acceleration.norm();
     const double rounding_of_overlap = single_resolution * 0.5 * (radius + largest);
-    const double rounding = material.normal_stiffness * rounding_of_overlap;
+    const PairSize<double> size{2 / mass, 0.5 * radius};
+    const double stiffness =
+        contact_scales(scene, material, material, size, scene.monitor.overlap_limit * radius).stiffness;
+    const double rounding = stiffness * rounding_of_overlap;
     if (weight == 0 || rounding <= tolerable * weight) continue;
     warnings.push_back(fmt::format(
         "dynamics.precision: mixed rounds forces between particles by about {:.2g} N, {:.2g} of the weight of a sphere "

@@ -14,15 +14,18 @@ namespace packstone::engine {
 struct EnergyAccount {
   double kinetic = 0;
   double elastic = 0;
-  double starting = 0;  ///< kinetic and elastic at time 0
-  double dissipated = 0;
+  double attractive = 0;  ///< of van der Waals' forces, 0 or less
+  double starting = 0;    ///< the sum of these at time 0
+  double dissipated_normal = 0;
+  double dissipated_tangential = 0;
   double growth_work = 0;
   double gravity_work = 0;
 
-  double mechanical() const { return kinetic + elastic; }
+  double mechanical() const { return kinetic + elastic + attractive; }
+  double dissipated() const { return dissipated_normal + dissipated_tangential; }
   double input() const { return starting + growth_work + gravity_work; }
   /// What nothing accounts for; 0 in exact arithmetic with an infinitely small step.
-  double error() const { return mechanical() + dissipated - input(); }
+  double error() const { return mechanical() + dissipated() - input(); }
 };
 
 class Monitor {

@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t progress_steps = 100;  ///< steps between two reports of progress
 
 void check_periodic_sides(const Scene& scene, const Domain& domain, double largest_radius) {
-  const double least = NeighbourList::least_periodic_side(largest_radius);
+  const double least = NeighbourList::least_periodic_side(largest_radius, scene.contact.van_der_waals.range());
   for (int axis = 0; axis < 3; ++axis) {
     if (!domain.periodic[axis] || domain.size()[axis] >= least) continue;
     scene.fail("domain",
@@ -44,12 +44,19 @@ double solid_share(const Snapshot& s) {
   return solid / s.domain.size().prod();
 }
 
+/// Whether friction keeps a force from step to step.
+bool has_tangential_spring(const Scene& scene) {
+  const TangentialModel law = scene.contact.tangential;
+  return rotates(scene) && law != TangentialModel::coulomb && law != TangentialModel::haff_werner;
+}
+
 /// The scene with "auto" replaced.
 Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
   scene.dynamics.time_step = dt;
   if (scene.dynamics.contact_velocity == ContactVelocity::automatic) {
     // docs/physics.md: the step's velocity damps friction's springs, the half step's shakes hysteretic beds.
-    const bool half_step = scene.contact.normal == NormalModel::linear && (rotates(scene) || dt > limit.recommended);
+    const bool half_step =
+        scene.contact.normal != NormalModel::hysteretic && (has_tangential_spring(scene) || dt > limit.recommended);
     scene.dynamics.contact_velocity = half_step ? ContactVelocity::half_step : ContactVelocity::step;
   }
   return scene;
@@ -93,7 +100,8 @@ std::int64_t Simulation::steps_in(double interval) const {
 }
 
 void Simulation::account(const StepSums& sums, double share) {
-  account_.dissipated += share * sums.dissipated;
+  account_.dissipated_normal += share * sums.dissipated_normal;
+  account_.dissipated_tangential += share * sums.dissipated_tangential;
   account_.growth_work += share * sums.growth_work;
 }
 
@@ -146,10 +154,11 @@ void Simulation::run(const SimulationEvents& events) {
 void Simulation::record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
                         const SimulationEvents& events) {
   const double kinetic = sums.kinetic_translational + sums.kinetic_rotational;
-  if (number == 0) account_.starting = kinetic + sums.elastic;
+  if (number == 0) account_.starting = kinetic + sums.elastic + sums.attractive;
   EnergyAccount account = account_;
   account.kinetic = kinetic;
   account.elastic = sums.elastic;
+  account.attractive = sums.attractive;
   const double time = time_at(number);
   monitor_.check_positions(particles_, time);
   monitor_.check_energy(account, time);

@@ -8,7 +8,7 @@
 
 #include "core/geometry.hpp"
 #include "engine/contact/collision.hpp"
-#include "engine/contact/pair_table.hpp"
+#include "engine/contact/contact_scales.hpp"
 #include "engine/dynamics/step.hpp"
 
 namespace packstone::engine {
@@ -24,8 +24,11 @@ std::string in_microseconds(double seconds) { return fmt::format("{:.3g} us", se
 struct Candidate {
   const MaterialSpec* a;
   const MaterialSpec* b;
-  double effective_mass;
+  PairSize<double> size;
+  double smaller_radius;
   std::string pair;
+
+  double effective_mass() const { return 1 / size.inverse_mass_sum; }
 };
 
 /// The lightest particle of a group that has any.
@@ -33,6 +36,7 @@ struct Lightest {
   const GroupSpec* group;
   const MaterialSpec* material;
   double mass;
+  double radius;
 };
 
 std::vector<Lightest> lightest_particles(const Scene& s, const Population& population) {
@@ -40,7 +44,8 @@ std::vector<Lightest> lightest_particles(const Scene& s, const Population& popul
   for (std::size_t g = 0; g < population.size(); ++g) {
     if (population[g].count == 0) continue;
     const MaterialSpec& material = s.materials[s.material_index(s.particles[g].material)];
-    result.push_back({&s.particles[g], &material, material.density * sphere_volume(population[g].smallest_radius)});
+    const double radius = population[g].smallest_radius;
+    result.push_back({&s.particles[g], &material, material.density * sphere_volume(radius), radius});
   }
   return result;
 }
@@ -50,12 +55,13 @@ std::vector<Candidate> candidates(const Scene& s, const Population& population) 
   const std::vector<Lightest> lightest = lightest_particles(s, population);
   for (const Lightest& g : lightest) {
     for (const Lightest& h : lightest) {
+      const PairSize<double> size{1 / g.mass + 1 / h.mass, g.radius * h.radius / (g.radius + h.radius)};
       result.push_back(
-          {g.material, h.material, g.mass * h.mass / (g.mass + h.mass), g.group->name + " - " + h.group->name});
+          {g.material, h.material, size, std::min(g.radius, h.radius), g.group->name + " - " + h.group->name});
     }
     for (const auto& b : s.boundaries) {
-      result.push_back(
-          {g.material, &s.materials[s.material_index(b.material)], g.mass, g.group->name + " - " + b.name});
+      const MaterialSpec& wall = s.materials[s.material_index(b.material)];
+      result.push_back({g.material, &wall, {1 / g.mass, g.radius}, g.radius, g.group->name + " - " + b.name});
     }
   }
   return result;
@@ -67,19 +73,20 @@ StepLimit step_limit(const Scene& scene, const Population& population) {
   StepLimit tightest;
   tightest.limit = tightest.recommended = std::numeric_limits<double>::infinity();
   for (const auto& c : candidates(scene, population)) {
-    const double m = c.effective_mass;
-    const double spring = in_series(c.a->normal_stiffness, c.b->normal_stiffness);
-    const double tangential = rotates(scene) ? in_series(*c.a->tangential_stiffness, *c.b->tangential_stiffness) : 0.0;
-    const double steepest = std::max(largest_stiffness(scene, *c.a, *c.b), solid_sphere_sliding * tangential);
-    const double dashpot = largest_damping(scene, *c.a, *c.b, m);
+    const double m = c.effective_mass();
+    const ContactScales scales =
+        contact_scales(scene, *c.a, *c.b, c.size, scene.monitor.overlap_limit * c.smaller_radius);
+    const double tangential = scales.tangential_stiffness;
+    const double steepest = std::max(scales.steepest, solid_sphere_sliding * tangential);
+    const double dashpot = std::max(scales.damping, solid_sphere_sliding * scales.tangential_damping);
     const double dashpot_limit = dashpot > 0 ? m / dashpot : std::numeric_limits<double>::infinity();
-    const double recommended =
-        std::min(packing_share * std::sqrt(2 * m / std::max(spring, tangential)), dashpot_share * dashpot_limit);
+    const double recommended = std::min(packing_share * std::sqrt(2 * m / std::max(scales.stiffness, tangential)),
+                                        dashpot_share * dashpot_limit);
     tightest.recommended = std::min(tightest.recommended, recommended);
     const double limit = std::min(2 / std::sqrt(steepest / m), dashpot_limit);
     if (limit >= tightest.limit) continue;
     tightest.limit = limit;
-    tightest.contact_time = undamped_contact_time(spring, m);
+    tightest.contact_time = undamped_contact_time(scales.stiffness, m);
     tightest.stiffness = steepest;
     tightest.effective_mass = m;
     tightest.pair = c.pair;

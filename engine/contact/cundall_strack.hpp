@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "engine/contact/normal_force.hpp"
+#include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
 
 namespace packstone::engine {
@@ -12,8 +14,8 @@ namespace packstone::engine {
 /// slides with the contact where it would exceed mu |F_n|. The force follows the spring, not sgn(v_s) as printed.
 struct CundallStrack {
   static constexpr bool active = true;
-  /// Of a spring [m2]: the reciprocal of much less overflows in single precision.
-  static constexpr double shortest_squared = 1e-36;
+  static constexpr int most_kept = 3;  ///< s [m]
+  static constexpr int kept() { return most_kept; }
 
   template <class T>
   struct Parameters {
@@ -29,43 +31,34 @@ struct CundallStrack {
   };
 
   template <class T>
-  struct Force {
-    using Mask = decltype(T() < T());
-    simd::Vector<T> force;  ///< on the first body [N]
-    T dissipated;           ///< by sliding in this step [J]
-    T elastic;              ///< stored in the spring [J]
-    Mask sliding;
-  };
-
-  /// Advances the spring [m] by a step dt [s] at a sliding velocity [m/s] in the contact plane to the instant of the
-  /// forces. With the velocity half a step before that instant, this is the leapfrog scheme, of second order and
-  /// without gain or loss. Swapping the bodies negates normal, velocity and spring, and gives exactly the negated
-  /// force.
+  using Coefficients = Parameters<T>;
   template <class T>
-  [[gnu::always_inline]] static Force<T> advance(const Parameters<T>& pair, simd::Vector<T>& spring,
-                                                 const simd::Vector<T>& normal, const simd::Vector<T>& sliding_velocity,
-                                                 const T& normal_force, double dt) {
-    using simd::absolute, simd::fused, simd::inverse_sqrt, simd::only, simd::rough_reciprocal, simd::select,
-        simd::squared_length;
-    const T along = dot(spring, normal);
-    simd::Vector<T> now = fused(-along, normal, spring);
-    // The contact plane turns by a small angle, whose tangent squared is x; the spring keeps its length.
-    const T turned_squared = squared_length(now);
-    const T x = only(T(shortest_squared) < turned_squared, along * along * rough_reciprocal(turned_squared));
-    const T stretch = fused(fused(T(-1.0 / 8), x, T(0.5)), x, T(1.0));  // sqrt(1 + x)
-    const simd::Vector<T> displacement = T(dt) * sliding_velocity;
-    now = fused(stretch, now, displacement);
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
+    return pair;
+  }
+
+  /// Advances the spring by a step at a sliding velocity to the instant of the forces. With the velocity half a step
+  /// before that instant, this is the leapfrog scheme, of second order and without gain or loss. Swapping the bodies
+  /// negates normal, velocity and spring, and gives exactly the negated force.
+  template <class T, class Kept>
+  [[gnu::always_inline]] static TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip,
+                                                           Kept& kept) {
+    using simd::absolute, simd::fused, simd::inverse_sqrt, simd::select, simd::squared_length;
+    const simd::Vector<T> displacement = T(slip.dt) * slip.velocity;
+    const simd::Vector<T> now = turned_into_plane(kept_vector(kept), slip.normal, displacement);
     const T now_squared = squared_length(now);
-    const T limit_force = pair.friction * absolute(normal_force);
+    const T limit_force = pair.friction * absolute(slip.normal_force);
     const T share = limit_force * inverse_sqrt(pair.stiffness * pair.stiffness * now_squared);
-    Force<T> f;
+    TangentialForce<T> f;
     f.sliding = share < T(1.0);
-    const T kept = select(f.sliding, share, T(1.0));
-    spring = kept * now;
+    const T kept_share = select(f.sliding, share, T(1.0));
+    const simd::Vector<T> spring = kept_share * now;
+    keep_vector(spring, kept);
     f.force = -pair.stiffness * spring;
     const T half_stiffness = T(0.5) * pair.stiffness;
     // Work done on the spring in this step less the change of its energy.
-    f.dissipated = half_stiffness * (T(1.0) - kept) * fused(T(1.0) + kept, now_squared, -dot(displacement, now));
+    f.dissipated =
+        half_stiffness * (T(1.0) - kept_share) * fused(T(1.0) + kept_share, now_squared, -dot(displacement, now));
     f.elastic = half_stiffness * squared_length(spring);
     return f;
   }

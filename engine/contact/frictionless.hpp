@@ -3,10 +3,14 @@
 
 #include <array>
 
+#include "engine/contact/normal_force.hpp"
+
 namespace packstone::engine {
 
 struct Frictionless {
   static constexpr bool active = false;
+  static constexpr int most_kept = 0;
+  static constexpr int kept() { return most_kept; }
 
   template <class T>
   struct Parameters {
@@ -17,6 +21,13 @@ struct Frictionless {
       return {};
     }
   };
+
+  template <class T>
+  using Coefficients = Parameters<T>;
+  template <class T>
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>&, const PairSize<T>& /*size*/) {
+    return {};
+  }
 };
 
 }  // namespace packstone::engine

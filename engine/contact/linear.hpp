@@ -14,6 +14,11 @@ namespace packstone::engine {
 /// there instead (Schwager & Poeschel, Granular Matter 9 (2007) 465).
 template <Release release>
 struct Linear {
+  static constexpr int most_kept = 0;
+  static constexpr bool plastic = false;
+  static constexpr bool attracts = false;
+  static constexpr int kept() { return most_kept; }
+
   template <class T>
   struct Parameters {
     T stiffness;              ///< k [N/m]
@@ -34,16 +39,16 @@ struct Linear {
     T stiffness;  ///< [N/m]
     T damping;    ///< [N s/m]
   };
-  /// inverse_mass_sum: 1/m_i + 1/m_j [1/kg].
   template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const T& inverse_mass_sum) {
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& size) {
     using simd::fused, simd::inverse_sqrt;
-    return {pair.stiffness, fused(pair.damping_per_root_mass, inverse_sqrt(inverse_mass_sum), pair.damping)};
+    return {pair.stiffness, fused(pair.damping_per_root_mass, inverse_sqrt(size.inverse_mass_sum), pair.damping)};
   }
 
   /// overlap [m] > 0; rate of overlap [m/s].
-  template <class T>
-  [[gnu::always_inline]] static NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate) {
+  template <class T, class Kept>
+  [[gnu::always_inline]] static NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate,
+                                                     Kept& /*kept*/) {
     using simd::larger;
     const T elastic = pair.stiffness * overlap, damping = pair.damping * rate;
     if constexpr (release == Release::zero_force) return {elastic, larger(damping, -elastic)};
@@ -51,8 +56,8 @@ struct Linear {
   }
 
   /// Stored energy [J].
-  template <class T>
-  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap) {
+  template <class T, class Kept>
+  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap, const Kept& /*kept*/) {
     return T(0.5) * pair.stiffness * overlap * overlap;
   }
 };

@@ -46,8 +46,8 @@ Value sum_in_blocks(std::size_t n, const Value& zero, const Term& term) {
 
 }  // namespace
 
-double NeighbourList::least_periodic_side(double largest_radius) {
-  return 2 * (2 * largest_radius + least_margin_share * largest_radius);
+double NeighbourList::least_periodic_side(double largest_radius, double range) {
+  return 2 * (2 * largest_radius + least_margin_share * largest_radius + range);
 }
 
 void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt) {
@@ -80,9 +80,10 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
     own.position = domain_.wrapped(own.position);
     position_.set(k, own.position);
     // Two extents never reach across half the box: then only one image of a neighbour can come into contact.
-    const double room = shortest_side / 4 - largest_scale_ * own.radius;
+    const double least = largest_scale_ * own.radius + 0.5 * range_;
+    const double room = shortest_side / 4 - least;
     margin_[k] = std::min(margins.size_share * own.radius + Margins::flight_allowance * margins.life * speed(k), room);
-    extent_[k] = largest_scale_ * own.radius + margin_[k];
+    extent_[k] = least + margin_[k];
   }
 }
 

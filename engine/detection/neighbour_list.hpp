@@ -31,11 +31,12 @@ struct GroupBlock {
 
 class NeighbourList {
  public:
-  /// width: lanes of a group. Periodic sides must be at least least_periodic_side wide.
-  NeighbourList(const Domain& domain, int width) : domain_(domain), width_(width) {}
+  /// width: lanes of a group. range: gap across which particles act on each other [m]. Periodic sides must be at least
+  /// least_periodic_side wide.
+  NeighbourList(const Domain& domain, int width, double range = 0) : domain_(domain), width_(width), range_(range) {}
 
   /// Smallest periodic side at which a particle meets only one image of another [m].
-  static double least_periodic_side(double largest_radius);
+  static double least_periodic_side(double largest_radius, double range = 0);
 
   /// Wraps positions into the box along periodic axes, finds every pair whose surfaces are nearer than its margins, and
   /// moves the particles into slots that keep neighbours close.
@@ -91,6 +92,7 @@ class NeighbourList {
 
   Domain domain_;
   int width_;
+  double range_;
   MarginPolicy policy_;
   HierarchicalGrid grid_;
   std::vector<NeighbourGroup> groups_;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,9 +37,11 @@ template <class L>
 struct Place {
   using Real = typename L::Real;
   typename L::Mask touching;
+  typename L::Mask near;                 ///< touching, or within the range of an attraction
   const simd::Vector<Real>& separation;  ///< from the second body to the first
   Real inverse_distance;                 ///< 1/|separation|
   Real overlap;
+  Real turning;  ///< how fast the normal turns over the speed across it: 1/|separation|, 0 on a plane [1/m]
 };
 
 /// One lane as a vector of numbers.
@@ -46,33 +50,62 @@ Vec3 lane_of(const simd::Vector<typename L::Real>& v, int lane) {
   return {L::lane(v.x, lane), L::lane(v.y, lane), L::lane(v.z, lane)};
 }
 
+/// What is known of a contact law at the start of a run.
+template <class Law>
+Law made_law(const ContactSpec& contact) {
+  if constexpr (std::is_constructible_v<Law, const ContactSpec&>) {
+    return Law(contact);
+  } else {
+    return Law{};
+  }
+}
+
 template <class Normal, class Tangential>
 class ContactForces {
  public:
-  explicit ContactForces(const std::vector<MaterialSpec>& materials) : normal_(materials), tangential_(materials) {}
+  /// Whether contacts may keep anything from step to step.
+  static constexpr bool may_remember = Normal::most_kept + Tangential::most_kept > 0;
+
+  ContactForces(const ContactSpec& contact, const std::vector<MaterialSpec>& materials)
+      : normal_law_(made_law<Normal>(contact)),
+        tangential_law_(made_law<Tangential>(contact)),
+        normal_(contact, materials),
+        tangential_(contact, materials) {}
 
   /// The material that contacts between alike particles have on both sides.
   void set_material_of_alike(std::int32_t material) {
     pair_of_alike_ = static_cast<std::size_t>(material) * (normal_.materials() + 1);
   }
 
+  /// Numbers that a contact keeps.
+  int kept() const { return normal_law_.kept() + tangential_law_.kept(); }
+
+  /// Gap up to which bodies act on each other [m].
+  double range() const {
+    if constexpr (Normal::attracts) return normal_law_.attraction().range();
+    return 0;
+  }
+
   /// What the laws know of a pair, apart from its contact.
   template <class L>
   struct Laws {
     typename Normal::template Coefficients<typename L::Real> normal;
-    typename Tangential::template Parameters<typename L::Real> tangential;
+    typename Tangential::template Coefficients<typename L::Real> tangential;
+    PairSize<typename L::Real> size;
   };
-  /// Between alike particles. inverse_mass: of one [1/kg].
+  /// Between alike bodies.
   template <class L>
-  [[gnu::always_inline]] Laws<L> laws_of_alike(const typename L::Real& inverse_mass) const {
-    return {Normal::coefficients(common_parameters<L>(normal_), inverse_mass + inverse_mass),
-            common_parameters<L>(tangential_)};
+  [[gnu::always_inline]] Laws<L> laws_of_alike(const Bodies<L>& one) const {
+    using Real = typename L::Real;
+    const PairSize<Real> size{one.inverse_mass + one.inverse_mass, Real(0.5) * one.radius};
+    return {Normal::coefficients(common_parameters<L>(normal_), size),
+            Tangential::coefficients(common_parameters<L>(tangential_), size), size};
   }
-  /// materials(lane): of the pair. inverse_mass_sum: 1/m_i + 1/m_j [1/kg].
+  /// materials(lane): of the pair.
   template <class L, class Materials>
-  [[gnu::always_inline]] Laws<L> laws(const Materials& materials, const typename L::Real& inverse_mass_sum) const {
-    return {Normal::coefficients(parameters<L>(normal_, materials), inverse_mass_sum),
-            parameters<L>(tangential_, materials)};
+  [[gnu::always_inline]] Laws<L> laws(const Materials& materials, const PairSize<typename L::Real>& size) const {
+    return {Normal::coefficients(parameters<L>(normal_, materials), size),
+            Tangential::coefficients(parameters<L>(tangential_, materials), size), size};
   }
 
   /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k;
@@ -80,7 +113,7 @@ class ContactForces {
   /// Alike bodies do not grow; for them sums.deepest is the overlap itself.
   template <bool record, bool alike, class L, class Number, class Who, class Where>
   [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
-                                  const Laws<L>& laws, Springs<Number>& springs, std::int64_t row, const Who& who,
+                                  const Laws<L>& laws, ContactMemory<Number>& memory, std::int64_t row, const Who& who,
                                   const Where& where, const StepInput& in, Recorder* recorder, Loads<L>& loads,
                                   ContactSums<typename L::Real>& sums, BlockResult& result) const {
     using simd::bits, simd::fused, simd::fused_where, simd::larger, simd::only;
@@ -89,29 +122,53 @@ class ContactForces {
     const Real approach = at.inverse_distance * dot(relative, at.separation);
     const Real growth_rate = alike ? Real(0.0) : Real(in.growth.rate) * (first.radius + second.radius);
     const Real rate = alike ? -approach : growth_rate - approach;
-    const NormalForce<Real> normal = Normal::force(laws.normal, at.overlap, rate);
-    const Real total = normal.total();
-    loads.force = fused_where(at.touching, total * at.inverse_distance, at.separation, loads.force);
+    std::array<Real, Normal::most_kept> kept_by_normal{};
+    std::array<Real, Tangential::most_kept> kept_by_tangential{};
+    const int normal_count = normal_law_.kept(), tangential_count = tangential_law_.kept();
+    const int count = normal_count + tangential_count;
+    if (may_remember && count > 0) {
+      memory.template load<L>(row, count, 0, normal_count, kept_by_normal);
+      memory.template load<L>(row, count, normal_count, tangential_count, kept_by_tangential);
+    }
+    const NormalForce<Real> normal = normal_law_.force(laws.normal, at.overlap, rate, kept_by_normal);
+    const Real repulsion = normal.total();
+    Real total = repulsion;
+    [[maybe_unused]] Real pull = 0.0;
+    [[maybe_unused]] typename L::Mask attracted = at.near;
+    if constexpr (Normal::attracts) {
+      if (range() > 0) {
+        pull = only(at.near, normal_law_.attraction().force(laws.size.effective_radius, -at.overlap));
+        total = only(at.touching, repulsion) - pull;
+      } else {
+        attracted = at.touching;
+      }
+    }
+    loads.force = fused_where(attracted, total * at.inverse_distance, at.separation, loads.force);
     sums.damping_power = fused_where(at.touching, normal.damping, rate, sums.damping_power);
+    if constexpr (Normal::plastic) sums.plastic_loss += only(at.touching, normal.loss);
     if constexpr (alike) {
       sums.deepest = larger(at.overlap, sums.deepest);
     } else {
       sums.deepest = larger(fused(Real(-in.overlap_limit), first.radius, at.overlap), sums.deepest);
-      if (in.growth.rate != 0) sums.growth_power = fused_where(at.touching, total, growth_rate, sums.growth_power);
+      if (in.growth.rate != 0) sums.growth_power = fused_where(attracted, total, growth_rate, sums.growth_power);
     }
     [[maybe_unused]] const simd::Vector<Real> n = at.inverse_distance * at.separation;
     [[maybe_unused]] simd::Vector<Real> tangential_force = simd::Vector<Real>::zero();
     [[maybe_unused]] std::uint32_t sliding = 0;
-    [[maybe_unused]] Real elastic = Normal::energy(laws.normal, at.overlap);
+    [[maybe_unused]] Real elastic = 0.0;
+    if constexpr (record) elastic = normal_law_.energy(laws.normal, at.overlap, kept_by_normal);
     if constexpr (Tangential::active) {
       // Lever arms at the instant's radii; the sum has the same bits seen from either body.
       const simd::Vector<Real> spin =
           Real(in.growth.scale) * (first.radius * first.angular_velocity + second.radius * second.angular_velocity);
-      const simd::Vector<Real> contact_velocity = relative - cross(spin, n);
+      // Velocities that lag go with the normal of their own instant: else rolling adds to springs what makes small
+      // spheres stick between large ones (Vyas et al., Comput. Phys. Commun. 310 (2025) 109524).
+      const simd::Vector<Real> across = fused(-approach, n, relative);
+      const simd::Vector<Real> normal_then = fused(Real(-in.velocity_lag()) * at.turning, across, n);
+      const simd::Vector<Real> contact_velocity = relative - cross(spin, normal_then);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
-      simd::Vector<Real> spring = springs.template load<L>(row);
-      const auto friction = Tangential::advance(laws.tangential, spring, n, sliding_velocity, total, in.dt);
-      springs.template store<L>(row, at.touching, spring);
+      const Slip<Real> slip{n, sliding_velocity, repulsion, at.overlap, in.dt};
+      const auto friction = tangential_law_.advance(laws.tangential, slip, kept_by_tangential);
       tangential_force = friction.force;
       loads.force = fused_where(at.touching, Real(1.0), friction.force, loads.force);
       loads.torque =
@@ -120,8 +177,19 @@ class ContactForces {
       elastic += friction.elastic;
       sliding = bits(friction.sliding);
     }
+    if (may_remember && count > 0) {
+      memory.template store<L>(row, count, 0, normal_count, kept_by_normal);
+      memory.template store<L>(row, count, normal_count, tangential_count, kept_by_tangential);
+      memory.template touch<L>(row, at.touching);
+    }
     if constexpr (record) {
       sums.elastic += only(at.touching, elastic);
+      if constexpr (Normal::attracts) {
+        if (range() > 0) {
+          const Real potential = normal_law_.attraction().energy(laws.size.effective_radius, -at.overlap);
+          sums.attractive += only(at.near, potential);
+        }
+      }
       for (std::uint32_t lanes = bits(at.touching); lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
         const auto [a, b] = who(lane);
@@ -170,6 +238,8 @@ class ContactForces {
     return Parameters::from([&](int k) { return L::gather(table.table(k), pair); });
   }
 
+  Normal normal_law_;
+  Tangential tangential_law_;
   PairTable<Normal> normal_;
   PairTable<Tangential> tangential_;
   std::size_t pair_of_alike_ = 0;

@@ -8,7 +8,7 @@ namespace packstone::engine {
 
 namespace {
 
-/// Calls visit(id, springs, row, lane, partner) for each entry and wall of the group.
+/// Calls visit(id, memory, row, lane, partner) for each entry and wall of the group.
 template <class History, class Visit>
 void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t group_number, History& history,
                       std::size_t boundaries, Visit&& visit) {
@@ -44,17 +44,20 @@ StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Pa
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
     for (std::ptrdiff_t g = 0; g < groups; ++g) {
       for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
-                       [&](std::int64_t id, const auto& springs, std::int64_t row, int lane, std::int64_t partner) {
-                         if (springs.touched(row, lane)) visit(id, springs, row, lane, partner);
+                       [&](std::int64_t id, const auto& memory, std::int64_t row, int lane, std::int64_t partner) {
+                         if (memory.touched(row, lane)) visit(id, memory, row, lane, partner);
                        });
     }
   };
   // Counts move one place on, so that filling in leaves each particle's end where it belongs.
   for_all([&](std::int64_t id, const auto&, std::int64_t, int, std::int64_t) { ++stored.end[id + 1]; });
   for (std::size_t id = 0; id < p.size(); ++id) stored.end[id + 1] += stored.end[id];
-  stored.contacts.resize(static_cast<std::size_t>(stored.end.back()));
-  for_all([&](std::int64_t id, const auto& springs, std::int64_t row, int lane, std::int64_t partner) {
-    stored.contacts[stored.end[id]++] = {partner, springs.get(row, lane)};
+  stored.partner.resize(static_cast<std::size_t>(stored.end.back()));
+  stored.numbers.resize(stored.partner.size() * numbers);
+  for_all([&](std::int64_t id, const auto& memory, std::int64_t row, int lane, std::int64_t partner) {
+    const std::int64_t contact = stored.end[id]++;
+    stored.partner[contact] = partner;
+    memory.get(row, lane, numbers, stored.numbers.data() + contact * numbers);
   });
   return stored;
 }
@@ -62,17 +65,17 @@ StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Pa
 template <class Number>
 void ContactHistory<Number>::restore(const StoredContacts& stored, const NeighbourList& list, const Particles& p,
                                      std::size_t boundaries, int wall_width) {
-  pairs.resize(list.rows(), list.width());
+  pairs.resize(list.rows(), list.width(), numbers);
   const auto group_rows = static_cast<std::int64_t>(boundaries * list.groups().size());
-  walls.resize(group_rows * (list.width() / wall_width), wall_width);
+  walls.resize(group_rows * (list.width() / wall_width), wall_width, numbers);
   const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
   for (std::ptrdiff_t g = 0; g < groups; ++g) {
     for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
-                     [&](std::int64_t id, auto& springs, std::int64_t row, int lane, std::int64_t partner) {
+                     [&](std::int64_t id, auto& memory, std::int64_t row, int lane, std::int64_t partner) {
                        for (std::int64_t c = id == 0 ? 0 : stored.end[id - 1]; c < stored.end[id]; ++c) {
-                         if (stored.contacts[c].partner != partner) continue;
-                         springs.set(row, lane, stored.contacts[c].spring);
+                         if (stored.partner[c] != partner) continue;
+                         memory.set(row, lane, numbers, stored.numbers.data() + c * numbers);
                          break;
                        }
                      });

@@ -1,4 +1,4 @@
-// Tangential springs of contacts, beside the rows of the neighbour list, and how they survive its rebuilding.
+// What contacts keep from step to step, beside the rows of the neighbour list, and how it survives their rebuilding.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace packstone::engine {
 
-/// One spring a lane and row [m]. Springs of contacts that did not touch in the step before are zero, and are kept so
-/// by a bit rather than by writing zeros.
+/// Some numbers a lane and row. Those of contacts that did not touch in the step before are zero, and are kept so by a
+/// bit rather than by writing zeros. How many there are the caller says each time: where it is a constant, so are all
+/// places.
 template <class Number>
-class Springs {
+class ContactMemory {
  public:
-  void resize(std::int64_t rows, int width) {
+  void resize(std::int64_t rows, int width, int numbers) {
     width_ = width;
-    const std::size_t count = static_cast<std::size_t>(rows) * width * 3;
+    const std::size_t count = static_cast<std::size_t>(rows) * width * numbers;
     if (values_.capacity() < count) {
       AlignedVector<Number>().swap(values_);  // before the larger store is there: they are the largest of all
       values_.reserve(count + count / spare_share);
@@ -26,28 +27,29 @@ class Springs {
     touched_.assign(static_cast<std::size_t>(rows), 0);
   }
 
-  template <class Lanes>
-  simd::Vector<typename Lanes::Real> load(std::int64_t row) const {
+  /// Numbers first..first + some of all, into the beginning of `to`.
+  template <class Lanes, class Numbers>
+  [[gnu::always_inline]] void load(std::int64_t row, int all, int first, int some, Numbers& to) const {
     using simd::only;
-    const Number* at = &values_[index(row)];
-    const simd::Vector<typename Lanes::Real> spring{Lanes::load(at), Lanes::load(at + width_),
-                                                    Lanes::load(at + 2 * width_)};
-    return only(Lanes::mask(touched_[row]), spring);
+    const Number* at = &values_[index(row, all)];
+    const typename Lanes::Mask touched = Lanes::mask(touched_[row]);
+    for (int k = 0; k < some; ++k) to[k] = only(touched, Lanes::load(at + (first + k) * width_));
+  }
+  template <class Lanes, class Numbers>
+  [[gnu::always_inline]] void store(std::int64_t row, int all, int first, int some, const Numbers& from) {
+    Number* at = &values_[index(row, all)];
+    for (int k = 0; k < some; ++k) Lanes::store(at + (first + k) * width_, from[k]);
   }
   template <class Lanes>
-  void store(std::int64_t row, typename Lanes::Mask touching, const simd::Vector<typename Lanes::Real>& spring) {
+  [[gnu::always_inline]] void touch(std::int64_t row, typename Lanes::Mask touching) {
     using simd::bits;
-    Number* at = &values_[index(row)];
-    Lanes::store(at, spring.x);
-    Lanes::store(at + width_, spring.y);
-    Lanes::store(at + 2 * width_, spring.z);
     touched_[row] = static_cast<std::uint16_t>(bits(touching));
   }
   /// Asks for some rows ahead of their use.
-  [[gnu::always_inline]] void prefetch(std::int64_t row, std::int64_t rows) const {
+  [[gnu::always_inline]] void prefetch(std::int64_t row, std::int64_t rows, int all) const {
     constexpr std::size_t line = 64 / sizeof(Number);
-    const Number* at = &values_[index(row)];
-    const Number* const end = at + index(rows);
+    const Number* at = values_.data() + index(row, all);
+    const Number* const end = at + index(rows, all);
     for (; at < end; at += line) __builtin_prefetch(at, 1);
   }
   /// Nothing touches in this row.
@@ -57,41 +59,38 @@ class Springs {
 
   int width() const { return width_; }
   bool touched(std::int64_t row, int lane) const { return (touched_[row] >> lane & 1u) != 0; }
-  Vec3 get(std::int64_t row, int lane) const {
-    const Number* at = &values_[index(row) + lane];
-    return {at[0], at[width_], at[2 * width_]};
+  /// Of one contact, from and to a sequence of numbers.
+  void get(std::int64_t row, int lane, int all, double* to) const {
+    for (int k = 0; k < all; ++k) to[k] = values_[index(row, all) + k * width_ + lane];
   }
-  void set(std::int64_t row, int lane, const Vec3& spring) {
-    Number* at = &values_[index(row) + lane];
-    for (int axis = 0; axis < 3; ++axis) at[axis * width_] = static_cast<Number>(spring[axis]);
+  void set(std::int64_t row, int lane, int all, const double* from) {
+    for (int k = 0; k < all; ++k) values_[index(row, all) + k * width_ + lane] = static_cast<Number>(from[k]);
     touched_[row] = static_cast<std::uint16_t>(touched_[row] | 1u << lane);
   }
 
  private:
   static constexpr std::size_t spare_share = 32;  ///< lists differ in length
 
-  std::size_t index(std::int64_t row) const { return static_cast<std::size_t>(row) * width_ * 3; }
+  std::size_t index(std::int64_t row, int all) const { return static_cast<std::size_t>(row) * width_ * all; }
 
   int width_ = 1;
-  AlignedVector<Number> values_;        ///< (rows, 3, width)
+  AlignedVector<Number> values_;        ///< (rows, numbers, width)
   std::vector<std::uint16_t> touched_;  ///< a bit a lane
 };
 
-/// Springs in contact by particle id, free of the list's layout.
+/// What contacts that touch keep, by particle id, free of the list's layout.
 struct StoredContacts {
-  struct Contact {
-    std::int64_t partner;  ///< id, or -1-k for boundary k
-    Vec3 spring;
-  };
-  std::vector<std::int64_t> end;  ///< of each particle's contacts, by id
-  std::vector<Contact> contacts;
+  std::vector<std::int64_t> end;      ///< of each particle's contacts, by id
+  std::vector<std::int64_t> partner;  ///< of each contact: id, or -1-k for boundary k
+  std::vector<double> numbers;        ///< (contacts, numbers of one)
 };
 
 /// Number: of the forces between particles.
 template <class Number>
 struct ContactHistory {
-  Springs<Number> pairs;  ///< rows of the list
-  Springs<double> walls;  ///< boundary by boundary, group by group, in rows of as many lanes as motion has
+  int numbers = 0;              ///< that a contact keeps
+  ContactMemory<Number> pairs;  ///< rows of the list
+  ContactMemory<double> walls;  ///< boundary by boundary, group by group, in rows of as many lanes as motion has
 
   StoredContacts store(const NeighbourList& list, const Particles& particles, std::size_t boundaries) const;
   /// wall_width: lanes of motion, which go into the list's a whole number of times.

@@ -20,32 +20,38 @@ struct BlockResult {
 template <class Real>
 struct ContactSums {
   Real damping_power = 0.0;                                 ///< [W]
+  Real plastic_loss = 0.0;                                  ///< [J]
   Real growth_power = 0.0;                                  ///< [W]
   Real sliding_loss = 0.0;                                  ///< [J]
   Real elastic = 0.0;                                       ///< recorded [J]
+  Real attractive = 0.0;                                    ///< recorded [J]
   Real deepest = -std::numeric_limits<double>::infinity();  ///< overlap beyond the limit [m]
 
   void add(const ContactSums& other) {
     using simd::larger;
     damping_power += other.damping_power;
+    plastic_loss += other.plastic_loss;
     growth_power += other.growth_power;
     sliding_loss += other.sliding_loss;
     elastic += other.elastic;
+    attractive += other.attractive;
     deepest = larger(other.deepest, deepest);
   }
 
   /// Each of them through a function.
   template <class Function>
   auto map(const Function& f) const -> ContactSums<decltype(f(damping_power))> {
-    return {f(damping_power), f(growth_power), f(sliding_loss), f(elastic), f(deepest)};
+    return {f(damping_power), f(plastic_loss), f(growth_power), f(sliding_loss), f(elastic), f(attractive), f(deepest)};
   }
 
   /// share: of these energies that is this side's.
   void add_to(StepSums& to, const StepInput& in, double share) const {
     using simd::sum;
-    to.dissipated += share * (in.dt * sum(damping_power) + sum(sliding_loss));
+    to.dissipated_normal += share * (in.dt * sum(damping_power) + sum(plastic_loss));
+    to.dissipated_tangential += share * sum(sliding_loss);
     to.growth_work += share * in.dt * sum(growth_power);
     to.elastic += share * sum(elastic);
+    to.attractive += share * sum(attractive);
   }
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/contact/chosen_normal.hpp"
+#include "engine/contact/chosen_tangential.hpp"
 #include "engine/contact/hysteretic.hpp"
 #include "engine/contact/linear.hpp"
 #include "engine/dynamics/newtonian_with.hpp"
@@ -11,7 +13,8 @@
 namespace packstone::engine {
 
 void StepSums::add(const StepSums& other) {
-  dissipated += other.dissipated;
+  dissipated_normal += other.dissipated_normal;
+  dissipated_tangential += other.dissipated_tangential;
   growth_work += other.growth_work;
   gravity_work += other.gravity_work;
   largest_share_squared = std::max(largest_share_squared, other.largest_share_squared);
@@ -19,6 +22,7 @@ void StepSums::add(const StepSums& other) {
   kinetic_translational += other.kinetic_translational;
   kinetic_rotational += other.kinetic_rotational;
   elastic += other.elastic;
+  attractive += other.attractive;
   largest_overlap_share = std::max(largest_overlap_share, other.largest_overlap_share);
   largest_speed_squared = std::max(largest_speed_squared, other.largest_speed_squared);
   particle_contacts += other.particle_contacts;
@@ -40,17 +44,22 @@ std::vector<Plane> make_planes(const Scene& scene) {
 
 namespace {
 
+/// Laws with loops of their own; the others share one.
 template <class Precision>
 std::unique_ptr<Dynamics> newtonian_in(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  switch (scene.contact.normal) {
-    case NormalModel::hysteretic:
-      return newtonian_with<Hysteretic, Precision>(scene, domain, planes);
-    case NormalModel::linear:
-      break;
+  const ContactSpec& contact = scene.contact;
+  const bool own_tangential = !rotates(scene) || contact.tangential == TangentialModel::cundall_strack;
+  if (own_tangential && !contact.van_der_waals.present) {
+    if (contact.normal == NormalModel::hysteretic) {
+      return newtonian_with<Hysteretic, CundallStrack, Precision>(scene, domain, planes);
+    }
+    if (contact.normal == NormalModel::linear) {
+      return contact.release == Release::zero_force
+                 ? newtonian_with<Linear<Release::zero_force>, CundallStrack, Precision>(scene, domain, planes)
+                 : newtonian_with<Linear<Release::zero_overlap>, CundallStrack, Precision>(scene, domain, planes);
+    }
   }
-  return scene.contact.release == Release::zero_force
-             ? newtonian_with<Linear<Release::zero_force>, Precision>(scene, domain, planes)
-             : newtonian_with<Linear<Release::zero_overlap>, Precision>(scene, domain, planes);
+  return newtonian_with<ChosenNormal, ChosenTangential, Precision>(scene, domain, planes);
 }
 
 }  // namespace

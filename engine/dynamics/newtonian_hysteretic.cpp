@@ -2,8 +2,7 @@
 
 namespace packstone::engine {
 
-template std::unique_ptr<Dynamics> newtonian_with<Hysteretic, DoublePrecision<simd::Widest>>(const Scene&,
-                                                                                             const Domain&,
-                                                                                             const std::vector<Plane>&);
+template std::unique_ptr<Dynamics> newtonian_with<Hysteretic, CundallStrack, DoublePrecision<simd::Widest>>(
+    const Scene&, const Domain&, const std::vector<Plane>&);
 
 }  // namespace packstone::engine

@@ -2,7 +2,7 @@
 
 namespace packstone::engine {
 
-template std::unique_ptr<Dynamics> newtonian_with<Hysteretic, MixedPrecision<simd::WidestSingle>>(
+template std::unique_ptr<Dynamics> newtonian_with<Hysteretic, CundallStrack, MixedPrecision<simd::WidestSingle>>(
     const Scene&, const Domain&, const std::vector<Plane>&);
 
 }  // namespace packstone::engine

@@ -2,7 +2,8 @@
 
 namespace packstone::engine {
 
-template std::unique_ptr<Dynamics> newtonian_with<Linear<Release::zero_overlap>, DoublePrecision<simd::Widest>>(
-    const Scene&, const Domain&, const std::vector<Plane>&);
+template std::unique_ptr<Dynamics>
+newtonian_with<Linear<Release::zero_overlap>, CundallStrack, DoublePrecision<simd::Widest>>(const Scene&, const Domain&,
+                                                                                            const std::vector<Plane>&);
 
 }  // namespace packstone::engine

@@ -26,13 +26,18 @@ class NewtonianStep final : public Dynamics {
 
  public:
   NewtonianStep(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes)
-      : domain_(domain), planes_(planes), list_(domain, PairLanes::width), forces_(scene.materials) {}
+      : domain_(domain),
+        planes_(planes),
+        forces_(scene.contact, scene.materials),
+        list_(domain, PairLanes::width, forces_.range()) {
+    history_.numbers = forces_.kept();
+  }
 
   const NeighbourList& neighbours() const override { return list_; }
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override {
     if (list_.builds() == 0) look_whether_alike(particles);
-    if constexpr (Tangential::active) {
+    if (remembers()) {
       const StoredContacts stored = history_.store(list_, particles, planes_.size());
       list_.build(particles, growth, dt);
       history_.restore(stored, list_, particles, planes_.size(), Lanes::width);
@@ -51,12 +56,16 @@ class NewtonianStep final : public Dynamics {
 
  private:
   using InDouble = DoublePrecision<Lanes>;
+  using Forces = ContactForces<Normal, Tangential>;
 
   /// How far ahead of their use rows are asked for [slots]: neighbours are read about a column of cells ahead.
   static constexpr std::int32_t rows_read_ahead = 1024, rows_written_ahead = 64;
 
   /// Fewer are in the second-level cache anyhow, and asking costs a sixth of the step.
   static constexpr std::size_t slots_in_cache = 2000;
+
+  /// Whether contacts keep anything from step to step; where laws are compiled in, a constant.
+  [[gnu::always_inline]] bool remembers() const { return Forces::may_remember && forces_.kept() > 0; }
 
   /// One radius, mass and material: then the loop over neighbours need not look them up.
   void look_whether_alike(const Particles& p) {
@@ -142,9 +151,9 @@ class NewtonianStep final : public Dynamics {
     const std::uint32_t* entry = list_.row(next.first_row);
     const std::uint32_t* const end = entry + static_cast<std::size_t>(next.rows) * PairLanes::width;
     for (; entry < end; ++entry) seen.prefetch(*entry, Tangential::active);
-    if constexpr (Tangential::active) {
+    if (remembers()) {
       const NeighbourGroup& later = list_.groups()[std::min<std::size_t>(g + 2, last)];
-      if (later.rows > 0) history_.pairs.prefetch(later.first_row, later.rows);
+      history_.pairs.prefetch(later.first_row, later.rows, forces_.kept());
     }
     const auto slots = static_cast<std::int32_t>(p.slots());
     const std::int32_t read = std::min(next.slot + rows_read_ahead, slots - PairLanes::width);
@@ -215,21 +224,25 @@ class NewtonianStep final : public Dynamics {
     Loads<PairLanes> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
     ContactSums<Real> pairs;  // of this group, in registers
     const Real scale(in.growth.scale);
-    const auto laws_of_alike = forces_.template laws_of_alike<PairLanes>(self.inverse_mass);
+    const auto laws_of_alike = forces_.template laws_of_alike<PairLanes>(self);
+    const Real range(forces_.range());
     for (std::int64_t row = group.first_row; row < group.first_row + group.rows; ++row) {
       const std::uint32_t* neighbour = list_.row(row);
       Bodies<PairLanes> other;
       const simd::Vector<Real> d = seen.template separation<alike>(self, neighbour, group.images, other.radius);
       const Real reach = scale * (self.radius + other.radius);
       const Real squared = squared_length(d);
-      const auto touching = squared < reach * reach;
-      if (!any(touching)) {
-        if constexpr (Tangential::active) history_.pairs.none(row);
+      const Real farthest = Normal::attracts ? reach + range : reach;
+      const auto near = squared < farthest * farthest;
+      if (!any(near)) {
+        if (remembers()) history_.pairs.none(row);
         continue;
       }
       seen.template read_motion<alike, Tangential::active>(self, neighbour, other);
       const Real inverse_distance = inverse_sqrt(squared);
-      const Place<PairLanes> at{touching, d, inverse_distance, Precision::overlap(reach, squared, inverse_distance)};
+      const auto touching = Normal::attracts ? squared < reach * reach : near;
+      const Place<PairLanes> at{
+          touching, near, d, inverse_distance, Precision::overlap(reach, squared, inverse_distance), inverse_distance};
       const auto slots = [&](int lane) {
         return std::pair{group.shared ? group.slot : group.slot + lane, NeighbourList::slot(neighbour[lane])};
       };
@@ -249,7 +262,9 @@ class NewtonianStep final : public Dynamics {
           const auto [first, second] = slots(lane);
           return std::pair{p.material[first], p.material[second]};
         };
-        add(forces_.template laws<PairLanes>(materials, self.inverse_mass + other.inverse_mass));
+        const Real radii = self.radius + other.radius;
+        const PairSize<Real> size{self.inverse_mass + other.inverse_mass, self.radius * other.radius / radii};
+        add(forces_.template laws<PairLanes>(materials, size));
       }
     }
     if constexpr (alike) pairs.deepest = fused(Real(-in.overlap_limit), self.radius, pairs.deepest);
@@ -277,13 +292,14 @@ class NewtonianStep final : public Dynamics {
       const simd::Vector<Real> point{Real(plane.point[0]), Real(plane.point[1]), Real(plane.point[2])};
       const Real overlap = Real(in.growth.scale) * self.radius - dot(self.position - point, normal);
       const typename L::Mask touching = (Real(0.0) < overlap) & occupied;
+      const typename L::Mask near = Normal::attracts ? (Real(-forces_.range()) < overlap) & occupied : touching;
       const std::int64_t row = static_cast<std::int64_t>(w * rows_of_a_wall) + seats.wall_row;
-      if (!any(touching)) {
-        if constexpr (Tangential::active) history_.walls.none(row);
+      if (!any(near)) {
+        if (remembers()) history_.walls.none(row);
         continue;
       }
       Bodies<L> wall{self.position, Real(0.0), simd::Vector<Real>::zero(), Real(0.0), simd::Vector<Real>::zero()};
-      const Place<L> at{touching, normal, Real(1.0), overlap};
+      const Place<L> at{touching, near, normal, Real(1.0), overlap, Real(0.0)};
       const auto who = [&](int lane) {
         return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - static_cast<std::int64_t>(w)};
       };
@@ -291,7 +307,7 @@ class NewtonianStep final : public Dynamics {
       const auto materials = [&](int lane) {
         return std::pair{p.material[seats.slot + lane], static_cast<std::int32_t>(plane.material)};
       };
-      const auto laws = forces_.template laws<L>(materials, self.inverse_mass);
+      const auto laws = forces_.template laws<L>(materials, PairSize<Real>{self.inverse_mass, self.radius});
       forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, where, in, recorder, loads,
                                              sums.walls, result);
     }
@@ -313,9 +329,9 @@ class NewtonianStep final : public Dynamics {
 
   Domain domain_;
   std::vector<Plane> planes_;
+  Forces forces_;
   NeighbourList list_;
   bool alike_ = false;
-  ContactForces<Normal, Tangential> forces_;
   ContactHistory<typename Precision::Number> history_;
   std::vector<BlockResult> results_;
 };

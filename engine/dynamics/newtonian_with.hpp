@@ -1,5 +1,6 @@
-// Newton's equations with one normal law, one precision and the scene's tangential law. Each law and precision is
-// compiled in its own file, newtonian_LAW.cpp or newtonian_LAW_mixed.cpp: every combination is a loop of its own.
+// Newton's equations with one normal and one tangential law, or frictionless, in one precision. Each normal law and
+// precision is compiled in its own file, newtonian_LAW.cpp or newtonian_LAW_mixed.cpp: every combination is a loop of
+// its own.
 #pragma once
 
 #include <memory>
@@ -10,8 +11,8 @@
 
 namespace packstone::engine {
 
-/// Precision: DoublePrecision or MixedPrecision of the widest lanes.
-template <class Normal, class Precision>
+/// Tangential: the law where the scene has friction. Precision: DoublePrecision or MixedPrecision of the widest lanes.
+template <class Normal, class Tangential, class Precision>
 std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
 
 }  // namespace packstone::engine

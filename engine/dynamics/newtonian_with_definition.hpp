@@ -1,6 +1,7 @@
 // The definition behind newtonian_with.hpp, for the files that instantiate it.
 #pragma once
 
+#include "engine/contact/frictionless.hpp"
 #include "engine/dynamics/newtonian_step.hpp"
 #include "engine/dynamics/newtonian_with.hpp"
 #include "engine/dynamics/precision.hpp"
@@ -8,10 +9,10 @@
 
 namespace packstone::engine {
 
-template <class Normal, class Precision>
+template <class Normal, class Tangential, class Precision>
 std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   if (rotates(scene)) {
-    return std::make_unique<NewtonianStep<Precision, Normal, CundallStrack>>(scene, domain, planes);
+    return std::make_unique<NewtonianStep<Precision, Normal, Tangential>>(scene, domain, planes);
   }
   return std::make_unique<NewtonianStep<Precision, Normal, Frictionless>>(scene, domain, planes);
 }

@@ -24,6 +24,8 @@ struct StepInput {
   /// By which the velocity that contacts see in the next step is ahead of the half step [s]; none where the particles
   /// were made for ContactVelocity::half_step.
   double velocity_lead = 0;
+  /// By which the velocity that contacts see is behind their positions [s].
+  double velocity_lag() const { return 0.5 * dt - velocity_lead; }
 };
 
 /// A contact beyond the overlap limit.
@@ -35,7 +37,8 @@ struct Offence {
 
 /// Sums over all particles; those marked (recorded) are only made in a recording step.
 struct StepSums {
-  double dissipated = 0;             ///< by normal damping and sliding [J]
+  double dissipated_normal = 0;      ///< by normal damping and plastic deformation [J]
+  double dissipated_tangential = 0;  ///< by sliding [J]
   double growth_work = 0;            ///< of growing radii against contact forces [J]
   double gravity_work = 0;           ///< [J]
   double largest_share_squared = 0;  ///< of its list margin that a particle has used; infinite if not a number
@@ -43,11 +46,13 @@ struct StepSums {
   double kinetic_translational = 0;    ///< (recorded) [J]
   double kinetic_rotational = 0;       ///< (recorded) [J]
   double elastic = 0;                  ///< (recorded) stored in contacts [J]
+  double attractive = 0;               ///< (recorded) potential of attraction, 0 or less [J]
   double largest_overlap_share = 0;    ///< (recorded) of the smaller full radius
   double largest_speed_squared = 0;    ///< (recorded) [m2/s2]
   std::int64_t particle_contacts = 0;  ///< (recorded) each pair once
   std::int64_t wall_contacts = 0;      ///< (recorded)
 
+  double dissipated() const { return dissipated_normal + dissipated_tangential; }
   void add(const StepSums& other);
 };
 

@@ -5,6 +5,7 @@
 #define PACKSTONE_AVX2 1
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -44,6 +45,13 @@ struct Avx2 : ReadsColumns<Avx2, double> {
     friend Real only(Mask m, Real x) { return _mm256_and_pd(m.lanes, x.v); }
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm256_max_pd(a.v, b.v); }
+    /// b where either is not a number.
+    friend Real smaller(Real a, Real b) { return _mm256_min_pd(a.v, b.v); }
+    friend Real square_root(Real x) { return _mm256_sqrt_pd(x.v); }
+    friend Real cube_root(Real x) {
+      for (int k = 0; k < width; ++k) x.v[k] = std::cbrt(x.v[k]);
+      return x;
+    }
     friend Real absolute(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
     friend Real nearest_integer(Real a) { return _mm256_round_pd(a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
     friend Real inverse_sqrt(Real x) { return Real(1.0) / Real(_mm256_sqrt_pd(x.v)); }

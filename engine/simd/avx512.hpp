@@ -5,6 +5,7 @@
 #define PACKSTONE_AVX512 1
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,7 +49,14 @@ struct Avx512 : ReadsColumns<Avx512, double> {
     friend Real only(Mask m, Real x) { return _mm512_maskz_mov_pd(m.bits, x.v); }
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm512_maskz_max_pd(all, a.v, b.v); }
+    /// b where either is not a number.
+    friend Real smaller(Real a, Real b) { return _mm512_maskz_min_pd(all, a.v, b.v); }
     friend Real absolute(Real a) { return _mm512_abs_pd(a.v); }
+    friend Real square_root(Real x) { return _mm512_maskz_sqrt_pd(all, x.v); }
+    friend Real cube_root(Real x) {
+      for (int k = 0; k < width; ++k) x.v[k] = std::cbrt(x.v[k]);
+      return x;
+    }
     friend Real nearest_integer(Real a) {
       return _mm512_maskz_roundscale_pd(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
     }

@@ -40,7 +40,14 @@ struct Avx512Single : ReadsColumns<Avx512Single, float> {
     friend Real only(Mask m, Real x) { return _mm512_maskz_mov_ps(m.bits, x.v); }
     /// b where either is not a number.
     friend Real larger(Real a, Real b) { return _mm512_maskz_max_ps(all, a.v, b.v); }
+    /// b where either is not a number.
+    friend Real smaller(Real a, Real b) { return _mm512_maskz_min_ps(all, a.v, b.v); }
     friend Real absolute(Real a) { return _mm512_abs_ps(a.v); }
+    friend Real square_root(Real x) { return _mm512_maskz_sqrt_ps(all, x.v); }
+    friend Real cube_root(Real x) {
+      for (int k = 0; k < width; ++k) x.v[k] = std::cbrt(x.v[k]);
+      return x;
+    }
     friend Real nearest_integer(Real a) {
       return _mm512_maskz_roundscale_ps(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
     }

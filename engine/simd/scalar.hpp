@@ -41,6 +41,11 @@ template <std::floating_point T>
 T larger(T a, T b) {
   return a > b ? a : b;
 }
+/// b where either is not a number.
+template <std::floating_point T>
+T smaller(T a, T b) {
+  return a < b ? a : b;
+}
 template <std::floating_point T>
 T absolute(T a) {
   return std::abs(a);
@@ -53,6 +58,14 @@ T nearest_integer(T a) {
 template <std::floating_point T>
 T inverse_sqrt(T x) {
   return 1 / std::sqrt(x);
+}
+template <std::floating_point T>
+T square_root(T x) {
+  return std::sqrt(x);
+}
+template <std::floating_point T>
+T cube_root(T x) {
+  return std::cbrt(x);
 }
 /// 1/x, to half the bits at least.
 template <std::floating_point T>

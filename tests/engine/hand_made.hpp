@@ -53,7 +53,9 @@ interval = 0.1
 
 class HandMade {
  public:
-  HandMade(const Scene& scene, const std::vector<Sphere>& spheres, double dt) {
+  HandMade(Scene scene, const std::vector<Sphere>& spheres, double dt,
+           ContactVelocity contact_velocity = ContactVelocity::step) {
+    scene.dynamics.contact_velocity = contact_velocity;
     StartingState start;
     for (const Sphere& s : spheres) {
       start.position.push_back(s.position);
@@ -65,7 +67,7 @@ class HandMade {
     particles = make_particles(scene, start);
     input.dt = dt;
     input.overlap_limit = 0.5;
-    input.velocity_lead = 0.5 * dt;
+    input.velocity_lead = contact_velocity == ContactVelocity::half_step ? 0 : 0.5 * dt;
     dynamics = make_newtonian(scene, scene.box(), make_planes(scene));
   }
 
@@ -82,6 +84,18 @@ class HandMade {
   Vec3 position(std::int32_t id) const { return particles.now.rows[slot(id)].position; }
   Vec3 velocity(std::int32_t id) const { return half_step_velocity(particles, slot(id)); }
   Vec3 angular_velocity(std::int32_t id) const { return half_step_turning(particles, slot(id)); }
+  void set_spin(std::int32_t id, const Vec3& spin) {
+    particles.now.spins[slot(id)].angular_velocity = spin;
+    if (!particles.half_angular_velocity.empty()) particles.half_angular_velocity.set(slot(id), spin);
+  }
+  /// Puts a particle to rest somewhere.
+  void hold(std::int32_t id, const Vec3& position) {
+    Row& row = particles.now.rows[slot(id)];
+    row.position = position;
+    row.velocity.setZero();
+    if (!particles.half_velocity.empty()) particles.half_velocity.set(slot(id), Vec3::Zero());
+    set_spin(id, Vec3::Zero());
+  }
   double mass(std::int32_t id) const { return particles.mass[slot(id)]; }
   double inertia(std::int32_t id) const { return 1 / particles.inverse_inertia[slot(id)]; }
   Vec3 momentum() const {

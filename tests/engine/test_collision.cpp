@@ -6,57 +6,15 @@
 #include <catch2/catch.hpp>
 
 #include "engine/contact/collision.hpp"
-#include "hand_made.hpp"
+#include "head_on.hpp"
 
 using namespace packstone;
 using namespace packstone::engine;
+using engine::testing::collide;
 using engine::testing::contact_scene;
+using engine::testing::effective_mass;
 using engine::testing::HandMade;
-using engine::testing::Sphere;
-
-namespace {
-
-struct Outcome {
-  double restitution = 0;
-  double contact_time = 0;     ///< [s]
-  double largest_overlap = 0;  ///< [m]
-  double momentum_change = 0;  ///< over the momentum of one body
-};
-
-/// Two spheres that meet at a speed [m/s]; the heavier one, if any, is the second.
-Outcome collide(const Scene& scene, double speed, double second_radius, double dt) {
-  const double gap = 1e-5;
-  HandMade pair(scene,
-                {{Vec3(0.4, 0.5, 0.5), Vec3(0.6 * speed, 0, 0)},
-                 {Vec3(0.4 + 0.02 + second_radius + gap, 0.5, 0.5), Vec3(-0.4 * speed, 0, 0), second_radius}},
-                dt);
-  const Vec3 before = pair.momentum();
-  Outcome outcome;
-  Recorder recorder;
-  recorder.velocity.resize(2);
-  recorder.force.resize(2);
-  const auto touching = [&](const StepSums& s) { return s.particle_contacts > 0; };
-  std::int64_t contact_steps = 0;
-  constexpr std::int64_t most_steps = 10000000;  // a pair that never parts fails the checks below
-  for (std::int64_t n = 0; n < most_steps; ++n) {
-    const StepSums sums = pair.step(&recorder);
-    outcome.largest_overlap = std::max(outcome.largest_overlap, sums.largest_overlap_share * 0.02);
-    contact_steps += touching(sums);
-    if (contact_steps > 0 && !touching(sums)) break;
-  }
-  outcome.restitution = (pair.velocity(1) - pair.velocity(0)).x() / speed;
-  outcome.contact_time = static_cast<double>(contact_steps) * dt;
-  outcome.momentum_change = (pair.momentum() - before).norm() / (pair.mass(0) * 0.6 * speed);
-  return outcome;
-}
-
-double effective_mass(double second_radius) {
-  const double m = 1200 * 4.0 / 3.0 * std::numbers::pi * std::pow(0.02, 3);
-  const double M = m * std::pow(second_radius / 0.02, 3);
-  return m * M / (m + M);
-}
-
-}  // namespace
+using engine::testing::HeadOn;
 
 TEST_CASE("a linear collision has eq. [7]'s restitution, [8]'s duration and keeps to [9]'s overlap") {
   const double damping = GENERATE(0.0, 5.0, 20.0);
@@ -64,7 +22,7 @@ TEST_CASE("a linear collision has eq. [7]'s restitution, [8]'s duration and keep
   const Scene scene = contact_scene("normal = \"linear\"", "normal_damping = " + std::to_string(damping));
   const double m = effective_mass(radius), rate = damping / (2 * m);
   const double duration = std::numbers::pi / std::sqrt(1e6 / m - rate * rate);
-  const Outcome o = collide(scene, 0.5, radius, duration / 20000);
+  const HeadOn o = collide(scene, 0.5, radius, duration / 20000);
   CHECK(o.restitution == Approx(std::exp(-rate * duration)).epsilon(2e-4));
   CHECK(o.contact_time == Approx(duration).epsilon(2e-4));
   CHECK(o.largest_overlap <= 0.5 * duration / std::numbers::pi * (1 + 1e-6));
@@ -101,7 +59,7 @@ TEST_CASE("hysteretic restitution is sqrt((1-g)/(1+g)) at any speed and mass") {
   const double speed = GENERATE(0.01, 1.0);
   const double radius = GENERATE(0.02, 0.05);
   const Scene scene = contact_scene("normal = \"hysteretic\"", "normal_damping = " + std::to_string(g));
-  const Outcome o = collide(scene, speed, radius, 2e-8);
+  const HeadOn o = collide(scene, speed, radius, 2e-8);
   CHECK(o.restitution == Approx(std::sqrt((1 - g) / (1 + g))).epsilon(1e-3));
   CHECK(o.restitution <= 1 + 1e-7);
   CHECK(o.momentum_change < 1e-11);

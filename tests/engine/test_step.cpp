@@ -36,26 +36,26 @@ enum class Mix {
 };
 
 /// Overlapping spheres at random in a box, periodic along x and y, with a floor and a lid.
-Bed bed(const std::string& contact, double friction, double largest, double smallest, std::size_t count, Mix mix) {
+Bed bed(const std::string& contact, double friction, double largest, double smallest, std::size_t count, Mix mix,
+        const std::string& further = "", bool restitution = true) {
   const bool two = mix != Mix::none;
   const std::string plane = "[[boundary]]\nkind = \"plane\"\n";
   std::string text =
       "[dynamics]\nduration = 1\n[domain]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.5]\n"
       "periodic = [\"x\", \"y\"]\n[filling]\nkind = \"growth\"\nduration = 0.1\n[output]\ninterval = 0.1\n[contact]\n" +
       contact;
-  text +=
-      "[[material]]\nname = \"a\"\ndensity = 2000\nnormal_stiffness = 1e5\ntangential_stiffness = 8e4\n"
-      "restitution = 0.5\nfriction = " +
-      std::to_string(friction) + "\n";
+  text += "[[material]]\nname = \"a\"\ndensity = 2000\nnormal_stiffness = 1e5\ntangential_stiffness = 8e4\n" +
+          std::string(restitution ? "restitution = 0.5\n" : "") + "friction = " + std::to_string(friction) + "\n" +
+          further;
   text += "[[particles]]\nmaterial = \"a\"\ncount = 1\nradius = 0.02\n";
   text += plane + "name = \"floor\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
   text += plane + "name = \"lid\"\npoint = [0, 0, 0.5]\nnormal = [0, 0, -1]\n";
   if (two) {
     text += "material = \"b\"\n";  // the lid's
-    text +=
-        "[[material]]\nname = \"b\"\nnormal_stiffness = 2e5\ntangential_stiffness = 1e5\nrestitution = 0.7\n"
-        "density = " +
-        std::string(mix == Mix::same_mass ? "2000" : "5000") + "\nfriction = " + std::to_string(friction / 2) + "\n";
+    text += "[[material]]\nname = \"b\"\nnormal_stiffness = 2e5\ntangential_stiffness = 1e5\n" +
+            std::string(restitution ? "restitution = 0.7\n" : "") +
+            "density = " + std::string(mix == Mix::same_mass ? "2000" : "5000") +
+            "\nfriction = " + std::to_string(friction / 2) + "\n" + further;
     text += "[[particles]]\nmaterial = \"b\"\ncount = 1\nradius = 0.02\n";
   }
   Bed b{parse_scene(text, "step"), {}};
@@ -84,7 +84,7 @@ std::vector<TwinSphere> twins(const Bed& b, const Particles& p) {
   return spheres;
 }
 
-/// By how much a step may differ from its twin.
+/// By how much a step may differ from its twin, times `looser`.
 struct Tolerance {
   double dissipated;                ///< share
   double position, velocity, turn;  ///< after 40 steps [m, m/s, m/s at the surface]
@@ -94,7 +94,7 @@ constexpr Tolerance rounding = {1e-12, 1e-15, 1e-13, 1e-13};
 constexpr Tolerance single_rounding = {1e-6, 3e-10, 5e-6, 1e-6};
 
 template <class Precision, class Normal, class Tangential>
-void check_against_twin(Bed b, double lead) {
+void check_against_twin(Bed b, double lead, double looser = 1) {
   if (lead == 0) b.scene.dynamics.contact_velocity = ContactVelocity::half_step;
   Particles p = make_particles(b.scene, b.start);
   NewtonianStep<Precision, Normal, Tangential> fast(b.scene, b.scene.box(), make_planes(b.scene));
@@ -116,7 +116,7 @@ void check_against_twin(Bed b, double lead) {
     const StepSums sums = fast.advance(p, in, record ? &recorder : nullptr);
     slow.step(in);
     std::swap(p.now, p.next);
-    REQUIRE(sums.dissipated == Approx(slow.dissipated()).epsilon(tolerance.dissipated));
+    REQUIRE(sums.dissipated() == Approx(slow.dissipated()).epsilon(looser * tolerance.dissipated));
     if (record) REQUIRE(sums.particle_contacts + sums.wall_contacts == slow.contacts());
   }
   CHECK(slow.contacts() > 20);
@@ -128,9 +128,9 @@ void check_against_twin(Bed b, double lead) {
     velocity = std::max(velocity, (half_step_velocity(p, s) - twin.half_velocity).norm());
     if (p.turns()) spin = std::max(spin, (half_step_turning(p, s) - twin.half_spin).norm() * 0.02);
   }
-  CHECK(position < tolerance.position);
-  CHECK(velocity < tolerance.velocity);
-  CHECK(spin < tolerance.turn);
+  CHECK(position < looser * tolerance.position);
+  CHECK(velocity < looser * tolerance.velocity);
+  CHECK(spin < looser * tolerance.turn);
 }
 
 template <class Precision>
@@ -211,6 +211,42 @@ TEMPLATE_TEST_CASE("hysteretic damping and a contact that ends with its force ag
   check_against_twin<TestType, Linear<Release::zero_force>, Frictionless>(released, 0.5);
 }
 
+TEMPLATE_TEST_CASE("every normal law with every tangential law, in lanes, agrees with the same contacts one by one", "",
+                   DoublePrecision<simd::Widest>, MixedPrecision<simd::WidestSingle>) {
+  const std::string elastic = "young_modulus = 2e6\npoisson_ratio = 0.3\n";
+  struct NormalCase {
+    std::string law, keys;
+    bool restitution;
+  };
+  const NormalCase normals[] = {{"linear\"\nrelease = \"zero-force", "", true},
+                                {"hertz", "", true},
+                                {"hertz\"\nrelease = \"zero-force", "", true},
+                                {"kuwabara-kono", "dissipation_time = 2e-5\n", false},
+                                {"walton-braun", "", true},
+                                {"hysteretic\"\nsign_speed = \"0.1 m/s", "", true}};
+  const std::string attraction = "[contact.van_der_waals]\nhamaker = 1e-3\nmin_gap = 1e-3\ncutoff = 4e-3\n";
+  const std::string tangentials[] = {"none",        "coulomb", "haff-werner", "cundall-strack", "mindlin-deresiewicz",
+                                     "walton-braun"};
+  for (const NormalCase& normal : normals) {
+    for (const std::string& tangential : tangentials) {
+      for (const bool attracts : {false, true}) {
+        // Roots near zero, jumps of friction and turning points of its history magnify rounding.
+        const double looser = tangential == "mindlin-deresiewicz" && TestType::compact ? 1e4 : 1e3;
+        INFO(normal.law << ", " << tangential << (attracts ? ", van der Waals" : ""));
+        const std::string contact =
+            "normal = \"" + normal.law + "\"\ntangential = \"" + tangential + "\"\n" + (attracts ? attraction : "");
+        Bed b = bed(contact, 0.4, 0.05, 0.02, 150, Mix::third, elastic + "tangential_damping = 20\n" + normal.keys,
+                    normal.restitution);
+        if (rotates(b.scene)) {
+          check_against_twin<TestType, ChosenNormal, ChosenTangential>(b, 0.5, looser);
+        } else {
+          check_against_twin<TestType, ChosenNormal, Frictionless>(b, 0.5, looser);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("mixed precision is as exact far from the origin") {
   Bed b = bed("normal = \"linear\"\n", 0, 0.02, 0.02, 300, Mix::none);
   const Vec3 far(-3e4, 5e4, 7e4);  // beyond 2^19 periods
@@ -229,8 +265,8 @@ TEST_CASE("mixed precision is as exact far from the origin") {
   mixed.rebuild(in_mixed, in.growth, in.dt);
   exact.rebuild(in_double, in.growth, in.dt);
   for (int n = 0; n < 10; ++n) {
-    const double a = mixed.advance(in_mixed, in, nullptr).dissipated;
-    const double c = exact.advance(in_double, in, nullptr).dissipated;
+    const double a = mixed.advance(in_mixed, in, nullptr).dissipated();
+    const double c = exact.advance(in_double, in, nullptr).dissipated();
     CHECK(a == Approx(c).epsilon(1e-5));
     std::swap(in_mixed.now, in_mixed.next);
     std::swap(in_double.now, in_double.next);

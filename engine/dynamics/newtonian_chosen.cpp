@@ -1,0 +1,8 @@
+#include "engine/dynamics/newtonian_with_definition.hpp"
+
+namespace packstone::engine {
+
+template std::unique_ptr<Dynamics> newtonian_with<ChosenNormal, ChosenTangential, DoublePrecision<simd::Widest>>(
+    const Scene&, const Domain&, const std::vector<Plane>&);
+
+}  // namespace packstone::engine
