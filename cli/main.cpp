@@ -18,6 +18,7 @@ using namespace packstone::cli;
 
 void add_verbs(CLI::App& app) {
   add_run(app);
+  add_check(app);
   add_info(app);
   add_analyze(app);
   for (const PictureVerb& verb : picture_verbs) app.add_subcommand(verb.name, verb.description);  // for --help

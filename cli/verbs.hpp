@@ -6,6 +6,7 @@
 namespace packstone::cli {
 
 void add_run(CLI::App& app);
+void add_check(CLI::App& app);
 void add_info(CLI::App& app);
 void add_analyze(CLI::App& app);
 void add_render(CLI::App& app);

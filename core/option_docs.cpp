@@ -61,12 +61,23 @@ class OptionDocumenter : public OptionVisitor {
   void number_or(const OptionInfo& info, const char* word, std::optional<double>&) override {
     add(info, fmt::format("number or \"{}\"", word), info.range.text(), word, Presence::has_default);
   }
+  void numbers(const OptionInfo& info, std::vector<double>&) override {
+    add(info, "list of numbers", info.range.text(), "", Presence::has_default);
+  }
+  void number_or_table(const OptionInfo& info, std::optional<double>&, bool&,
+                       const std::function<void()>& describe) override {
+    add(info, "number or table", info.range.text(), "", Presence::has_default);
+    table(info, Presence::has_default, describe);
+  }
   void choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>&) override {
     add(info, "list", joined(names), "[]", Presence::has_default);
   }
   void table(const OptionInfo& info, Presence, const std::function<void()>& describe) override {
-    tables_seen.push_back({fmt::format("[{}]", info.key), info.help, {}});
+    const std::string outer = path_;
+    path_ += (outer.empty() ? "" : ".") + std::string(info.key);
+    tables_seen.push_back({fmt::format("[{}]", path_), info.help, {}});
     describe();
+    path_ = outer;
   }
   void optional_table(const OptionInfo& info, bool&, const std::function<void()>& describe) override {
     table(info, Presence::has_default, describe);
@@ -81,11 +92,13 @@ class OptionDocumenter : public OptionVisitor {
         {fmt::format("[[{}]]", info.key), fmt::format("{}; {} or more", info.help, minimum == 0 ? "none" : "one"), {}});
     return 1;
   }
-  void begin_entry(const OptionInfo&, std::size_t) override {}
-  void end_entry() override {}
+  void begin_entry(const OptionInfo& info, std::size_t) override { path_ = info.key; }
+  void end_entry() override { path_.clear(); }
   void end_tables() override {}
 
  private:
+  std::string path_;
+
   void add(const OptionInfo& info, const std::string& type, const std::string& allowed, const std::string& value,
            Presence presence) {
     const bool required = presence == Presence::required;

@@ -65,6 +65,11 @@ class OptionVisitor {
   virtual void vector(const OptionInfo& info, std::optional<Vec3>& value) = 0;
   /// A number or a word that stands for one chosen by the program: nullopt.
   virtual void number_or(const OptionInfo& info, const char* word, std::optional<double>& value) = 0;
+  /// A list of numbers.
+  virtual void numbers(const OptionInfo& info, std::vector<double>& value) = 0;
+  /// A number, or a table [key] in its place; is_table says which. Last of the keys of its own table.
+  virtual void number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
+                               const std::function<void()>& describe) = 0;
   /// A list of words out of names; value holds their indices.
   virtual void choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) = 0;
 

@@ -287,6 +287,31 @@ void OptionReader::number_or(const OptionInfo& info, const char* word, std::opti
   }
 }
 
+void OptionReader::numbers(const OptionInfo& info, std::vector<double>& value) {
+  const auto* node = impl_->find(info);
+  if (!node) return;
+  const std::string path = impl_->path_of(info.key);
+  const auto* array = node->as_array();
+  if (!array) impl_->fail(path, "expected a list of numbers");
+  value.clear();
+  for (const auto& entry : *array) value.push_back(impl_->number(info, path, entry));
+}
+
+void OptionReader::number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
+                                   const std::function<void()>& describe) {
+  const auto* node = impl_->find(info);
+  if (!node) return;
+  const std::string path = impl_->path_of(info.key);
+  is_table = node->is_table();
+  if (!is_table) {
+    value = impl_->number(info, path, *node);
+    return;
+  }
+  impl_->enter(node->as_table(), path);
+  describe();
+  impl_->leave();
+}
+
 void OptionReader::choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) {
   const auto* node = impl_->find(info);
   if (!node) return;

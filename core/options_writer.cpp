@@ -65,6 +65,19 @@ void OptionWriter::number_or(const OptionInfo& info, const char* word, std::opti
   line(info, value ? fmt::format("{}", *value) : quoted(word));
 }
 
+void OptionWriter::numbers(const OptionInfo& info, std::vector<double>& value) {
+  if (!value.empty()) line(info, fmt::format("[{}]", fmt::join(value, ", ")));
+}
+
+void OptionWriter::number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
+                                   const std::function<void()>& describe) {
+  if (is_table) {
+    table(info, Presence::has_default, describe);
+  } else {
+    number(info, value);
+  }
+}
+
 void OptionWriter::choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) {
   std::vector<std::string> words;
   for (int index : value) words.push_back(quoted(names[index]));
@@ -76,8 +89,11 @@ void OptionWriter::choice_index(const OptionInfo& info, const ChoiceNames& names
 }
 
 void OptionWriter::table(const OptionInfo& info, Presence, const std::function<void()>& describe) {
-  text_ += fmt::format("\n[{}]\n", info.key);
+  const std::string outer = path_;
+  path_ += (outer.empty() ? "" : ".") + std::string(info.key);
+  text_ += fmt::format("\n[{}]\n", path_);
   describe();
+  path_ = outer;
 }
 
 void OptionWriter::optional_table(const OptionInfo& info, bool& present, const std::function<void()>& describe) {
@@ -86,9 +102,12 @@ void OptionWriter::optional_table(const OptionInfo& info, bool& present, const s
 
 std::size_t OptionWriter::begin_tables(const OptionInfo&, std::size_t, std::size_t held) { return held; }
 
-void OptionWriter::begin_entry(const OptionInfo& info, std::size_t) { text_ += fmt::format("\n[[{}]]\n", info.key); }
+void OptionWriter::begin_entry(const OptionInfo& info, std::size_t) {
+  path_ = info.key;
+  text_ += fmt::format("\n[[{}]]\n", path_);
+}
 
-void OptionWriter::end_entry() {}
+void OptionWriter::end_entry() { path_.clear(); }
 
 void OptionWriter::end_tables() {}
 

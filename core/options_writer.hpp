@@ -22,6 +22,9 @@ class OptionWriter : public OptionVisitor {
   void vector(const OptionInfo& info, Vec3& value, Presence presence) override;
   void vector(const OptionInfo& info, std::optional<Vec3>& value) override;
   void number_or(const OptionInfo& info, const char* word, std::optional<double>& value) override;
+  void numbers(const OptionInfo& info, std::vector<double>& value) override;
+  void number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
+                       const std::function<void()>& describe) override;
   void choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) override;
   void table(const OptionInfo& info, Presence presence, const std::function<void()>& describe) override;
   void optional_table(const OptionInfo& info, bool& present, const std::function<void()>& describe) override;
@@ -38,6 +41,7 @@ class OptionWriter : public OptionVisitor {
   void line(const OptionInfo& info, const std::string& value);
 
   std::string text_;
+  std::string path_;  ///< of the table that is being written
 };
 
 }  // namespace packstone

@@ -12,6 +12,7 @@ enum class RandomStream : std::uint32_t {
   filling_position = 1,
   particle_radius = 2,
   label_permutation = 3,
+  filling_order = 4,
 };
 
 /// A sequence of draws for one item (a particle, a trial) of one stream.

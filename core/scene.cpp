@@ -22,7 +22,18 @@ using enum Presence;
 /// Where van der Waals' force has fallen to 1e-4 of what it is at the smallest gap.
 constexpr double cutoff_over_min_gap = 100;
 
-const ChoiceNames output_fields = {"velocity", "angular_velocity", "force"};
+const ChoiceNames output_fields = {"velocity",
+                                   "angular_velocity",
+                                   "force",
+                                   "acceleration",
+                                   "angular_acceleration",
+                                   "mass",
+                                   "full_radius",
+                                   "moment_of_inertia",
+                                   "kinetic_translational",
+                                   "kinetic_rotational",
+                                   "elastic",
+                                   "gravitational"};
 const ChoiceNames dynamics_kinds = {"newtonian"};
 
 void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
@@ -134,26 +145,68 @@ void describe_material(OptionVisitor& v, MaterialSpec& m) {
   v.number({"friction", "Coulomb friction coefficient", unit::none, Range::at_least(0)}, m.friction, has_default);
 }
 
+void describe_sizes(OptionVisitor& v, SizeSpec& s) {
+  const auto number = [&](const char* key, const char* help, const Unit& unit, std::optional<double>& value) {
+    v.number({key, help, unit, Range::positive()}, value);
+  };
+  v.choice({"distribution",
+            "uniform between min and max; normal, lognormal or weibull, cut off at min and max; list: some radii; "
+            "table: classes of sizes, as from sieves, evenly filled"},
+           {"uniform", "normal", "lognormal", "weibull", "list", "table"}, s.distribution, required);
+  v.choice({"by", "Whether the distribution is one of the number of particles or of their mass"}, {"number", "mass"},
+           s.by, has_default);
+  number("min",
+         "uniform, required: smallest radius; normal, lognormal: 3 deviations down, weibull: the quantile 0.001, "
+         "unless given",
+         unit::metre, s.min);
+  number("max", "Largest radius, likewise", unit::metre, s.max);
+  number("mean", "normal, required: mean radius", unit::metre, s.mean);
+  number("deviation", "normal, required: standard deviation", unit::metre, s.deviation);
+  number("median", "lognormal, required: median radius", unit::metre, s.median);
+  v.number({"spread", "lognormal, required: geometric standard deviation", unit::none, Range{1, 1e6, false, true}},
+           s.spread);
+  number("scale", "weibull, required: radius that 63 % are below", unit::metre, s.scale);
+  number("shape", "weibull, required: exponent", unit::none, s.shape);
+  v.numbers({"radii", "list, required: the radii; table, required: the ends of its classes; ascending", unit::metre,
+             Range::positive()},
+            s.radii);
+  v.numbers({"shares", "Shares of the list's radii, equal unless given, or of the table's classes; any sum", unit::none,
+             Range::at_least(0)},
+            s.shares);
+}
+
 void describe_group(OptionVisitor& v, GroupSpec& g) {
   v.text({"name", "Name in legends and tables; the material's unless given"}, g.name, has_default);
   v.text({"material", "Name of a [[material]]"}, g.material, required);
   v.integer({"count", "Number of particles; required unless filling.kind is file, and then not given", unit::none,
              Range::at_least(1)},
             g.count);
-  v.number(
-      {"radius", "Radius; required unless filling.kind is file, and then not given", unit::metre, Range::positive()},
-      g.radius);
+  v.number_or_table({"radius",
+                     "Radius of all, or a table that says how radii are distributed; required unless filling.kind is "
+                     "file, and then not given",
+                     unit::metre, Range::positive()},
+                    g.radius, g.sizes.present, [&] { describe_sizes(v, g.sizes); });
 }
 
 void describe_filling(OptionVisitor& v, FillingSpec& f) {
-  v.choice({"kind",
-            "How the particles come in. growth: centres at random, radii grow from zero to full size. file: as a file "
-            "has them"},
-           {"growth", "file"}, f.kind, required);
+  v.choice(
+      {"kind",
+       "How the particles come in. growth: centres at random, radii grow from zero to full size. lattice: at rest on "
+       "the sites of a lattice, from the bottom up, groups mixed at random. random: at rest at random places, "
+       "without overlap. file: as a file has them"},
+      {"growth", "lattice", "random", "file"}, f.kind, required);
   v.number({"duration", "growth, required: time it takes", unit::second, Range::positive()}, f.duration);
-  v.vector({"region_min", "growth: lower corner of the region to fill; the domain's unless given", unit::metre},
+  v.choice({"lattice", "lattice: simple cubic, body-centred, face-centred or hexagonal close packed"},
+           {"cubic", "bcc", "fcc", "hcp"}, f.lattice, has_default);
+  v.number(
+      {"spacing",
+       "lattice: distance of nearest sites, stretched where periodic sides ask for it; the largest diameter unless "
+       "given",
+       unit::metre, Range::positive()},
+      f.spacing);
+  v.vector({"region_min", "Lower corner of the region to fill; the domain's unless given; not with file", unit::metre},
            f.region_min);
-  v.vector({"region_max", "growth: upper corner of the region to fill", unit::metre}, f.region_max);
+  v.vector({"region_max", "Upper corner of the region to fill; not with file", unit::metre}, f.region_max);
   v.text({"path",
           "file, required: a CSV table, a LAMMPS data file (atom_style sphere, units si) or a packstone snapshot, told "
           "apart by content; relative to the scene file's folder. docs/format.md has the columns"},
@@ -249,10 +302,27 @@ void Scene::fail(const std::string& path, const std::string& what) const {
   throw InputError((found == locations.end() ? "" : found->second + ": ") + path + ": " + what);
 }
 
+SizeRange Scene::size_range(std::size_t group) const {
+  const GroupSpec& g = particles[group];
+  return g.sizes.present ? range_of(g.sizes) : SizeRange{*g.radius, *g.radius};
+}
+
+std::vector<double> Scene::radii(std::size_t group) const {
+  const GroupSpec& g = particles[group];
+  if (g.sizes.present) return drawn_radii(g.sizes, *g.count, static_cast<std::uint64_t>(seed), group);
+  return std::vector<double>(static_cast<std::size_t>(*g.count), *g.radius);
+}
+
 double Scene::solid_volume() const {
   double total = 0;
-  for (const auto& g : particles)
-    total += static_cast<double>(g.count.value_or(0)) * sphere_volume(g.radius.value_or(0));
+  for (std::size_t g = 0; g < particles.size(); ++g) {
+    if (!particles[g].count) continue;
+    if (particles[g].sizes.present) {
+      for (const double radius : radii(g)) total += sphere_volume(radius);
+    } else {
+      total += static_cast<double>(*particles[g].count) * sphere_volume(*particles[g].radius);
+    }
+  }
   return total;
 }
 

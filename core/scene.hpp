@@ -11,6 +11,7 @@
 
 #include "core/domain.hpp"
 #include "core/options.hpp"
+#include "core/size_distribution.hpp"
 #include "core/vec3.hpp"
 
 namespace packstone {
@@ -19,7 +20,8 @@ enum class NormalModel { linear, hertz, kuwabara_kono, walton_braun, hysteretic 
 enum class TangentialModel { none, coulomb, haff_werner, cundall_strack, mindlin_deresiewicz, walton_braun };
 /// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
 enum class Release { zero_overlap, zero_force };
-enum class FillingKind { growth, file };
+enum class FillingKind { growth, lattice, random, file };
+enum class Lattice { cubic, bcc, fcc, hcp };
 enum class BoundaryKind { plane };
 
 /// Faces of the domain through which particles may leave and come back.
@@ -90,14 +92,17 @@ struct MaterialSpec {
 struct GroupSpec {
   std::string name;  ///< shown in legends and tables; the material's name unless given
   std::string material;
-  std::optional<std::int64_t> count;  ///< given with growth alone; a file holds its own particles
+  std::optional<std::int64_t> count;  ///< not given where a file holds the particles
   std::optional<double> radius;       ///< [m]; the same
+  SizeSpec sizes;                     ///< instead of one radius
 };
 
 struct FillingSpec {
   FillingKind kind = FillingKind::growth;
-  std::optional<double> duration;   ///< of the growth [s]
-  std::optional<Vec3> region_min;   ///< to grow in [m]; the domain unless given
+  std::optional<double> duration;  ///< of the growth [s]
+  Lattice lattice = Lattice::cubic;
+  std::optional<double> spacing;    ///< of nearest sites of the lattice [m]; the largest diameter unless given
+  std::optional<Vec3> region_min;   ///< to fill [m]; the domain unless given
   std::optional<Vec3> region_max;   ///< [m]
   std::optional<std::string> path;  ///< of the file, from the root
 
@@ -126,7 +131,20 @@ struct MonitorSpec {
 };
 
 /// Output fields in the order of OutputSpec::fields' indices.
-inline constexpr int output_velocity = 0, output_angular_velocity = 1, output_force = 2;
+enum OutputField {
+  output_velocity,
+  output_angular_velocity,
+  output_force,
+  output_acceleration,
+  output_angular_acceleration,
+  output_mass,
+  output_full_radius,
+  output_moment_of_inertia,
+  output_kinetic_translational,
+  output_kinetic_rotational,
+  output_elastic,
+  output_gravitational
+};
 
 struct Scene {
   std::string title = "untitled";
@@ -148,6 +166,10 @@ struct Scene {
   /// Throws InputError "FILE:LINE:COL: key: what", located at the key or the nearest table above it.
   [[noreturn]] void fail(const std::string& path, const std::string& what) const;
 
+  /// Smallest and largest radius of a group that has any [m].
+  SizeRange size_range(std::size_t group) const;
+  /// Radii of all particles of a group, in the order of their ids [m].
+  std::vector<double> radii(std::size_t group) const;
   /// Volume of all spheres that the groups ask for, at full size [m3]; 0 when a file holds them.
   double solid_volume() const;
   /// The box, from min and max or from the particles' volume.

@@ -55,14 +55,37 @@ void refuse_given(const Scene& s, const std::string& path, bool given, const std
   if (given) s.fail(path, "is given beside filling.kind = " + why);
 }
 
-void check_growth_keys(const Scene& s) {
-  if (!s.filling.duration) s.fail("filling", "needs duration, the time the growth takes [s], with kind = \"growth\"");
-  refuse_given(s, "filling.path", s.filling.path.has_value(), "\"growth\"; take kind = \"file\", or leave it out");
+void check_group_sizes(const Scene& s) {
   for (std::size_t k = 0; k < s.particles.size(); ++k) {
     const std::string path = fmt::format("particles[{}]", k);
-    if (!s.particles[k].count) s.fail(path, "needs count, the number of particles");
-    if (!s.particles[k].radius) s.fail(path, "needs radius [m]");
+    const GroupSpec& group = s.particles[k];
+    if (!group.count) s.fail(path, "needs count, the number of particles");
+    if (!group.radius && !group.sizes.present) s.fail(path, "needs radius [m]");
+    if (!group.sizes.present) continue;
+    if (const auto fault = fault_of(group.sizes)) {
+      s.fail(path + ".radius" + (fault->key.empty() ? "" : "." + fault->key), fault->what);
+    }
   }
+}
+
+/// Keys of the fillings that place particles of given sizes.
+void check_placing_keys(const Scene& s) {
+  const FillingSpec& f = s.filling;
+  const std::string kind = f.kind == FillingKind::growth    ? "\"growth\""
+                           : f.kind == FillingKind::lattice ? "\"lattice\""
+                                                            : "\"random\"";
+  if (f.kind == FillingKind::growth && !f.duration) {
+    s.fail("filling", "needs duration, the time the growth takes [s], with kind = \"growth\"");
+  }
+  if (f.kind != FillingKind::growth) {
+    refuse_given(s, "filling.duration", f.duration.has_value(),
+                 kind + ", whose particles are there at once; leave it out");
+  }
+  if (f.kind != FillingKind::lattice) {
+    refuse_given(s, "filling.spacing", f.spacing.has_value(), kind + "; it goes with \"lattice\"");
+  }
+  refuse_given(s, "filling.path", f.path.has_value(), kind + "; take kind = \"file\", or leave it out");
+  check_group_sizes(s);
 }
 
 void check_file_keys(const Scene& s) {
@@ -70,6 +93,7 @@ void check_file_keys(const Scene& s) {
   if (!f.path) s.fail("filling", "needs path, the file that holds the particles, with kind = \"file\"");
   const std::string nothing_grows = "\"file\", whose particles have their place and full size at once; leave it out";
   refuse_given(s, "filling.duration", f.duration.has_value(), nothing_grows);
+  refuse_given(s, "filling.spacing", f.spacing.has_value(), nothing_grows);
   refuse_given(s, "filling.region_min", f.region_min.has_value(), nothing_grows);
   refuse_given(s, "filling.region_max", f.region_max.has_value(), nothing_grows);
   refuse_given(s, "domain.volume_factor", s.domain.volume_factor.has_value(),
@@ -79,13 +103,11 @@ void check_file_keys(const Scene& s) {
     const std::string file_has_it =
         "\"file\": the file says how many particles there are and of what radius; leave it out";
     refuse_given(s, path + ".count", s.particles[k].count.has_value(), file_has_it);
-    refuse_given(s, path + ".radius", s.particles[k].radius.has_value(), file_has_it);
+    refuse_given(s, path + ".radius", s.particles[k].radius.has_value() || s.particles[k].sizes.present, file_has_it);
   }
 }
 
-void check_filling(const Scene& s) {
-  s.filling.kind == FillingKind::growth ? check_growth_keys(s) : check_file_keys(s);
-}
+void check_filling(const Scene& s) { s.filling.kind == FillingKind::file ? check_file_keys(s) : check_placing_keys(s); }
 
 void check_domain(const Scene& s) {
   const DomainSpec& d = s.domain;

@@ -18,6 +18,8 @@
 #include "engine/filling/population.hpp"
 #include "engine/force_resolution.hpp"
 #include "engine/history_row.hpp"
+#include "engine/snapshot_fields.hpp"
+#include "engine/static_friction.hpp"
 #include "engine/stopwatch.hpp"
 
 namespace packstone::engine {
@@ -62,20 +64,13 @@ Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
   return scene;
 }
 
-std::vector<double> flattened(const std::vector<Vec3>& rows) {
-  std::vector<double> values;
-  values.reserve(3 * rows.size());
-  for (const Vec3& v : rows) values.insert(values.end(), {v[0], v[1], v[2]});
-  return values;
-}
-
 }  // namespace
 
 Simulation::Simulation(const Scene& scene) : Simulation(scene, fill(scene, scene.box(), make_planes(scene))) {}
 
 Simulation::Simulation(const Scene& scene, const StartingState& start)
     : population_(population_of(scene, start)),
-      limit_(step_limit(scene, population_)),
+      limit_(engine::step_limit(scene, population_)),
       dt_(checked_time_step(scene, limit_, warnings_)),
       scene_(with_choices_made(scene, dt_, limit_)),
       domain_(scene.box()),
@@ -86,6 +81,7 @@ Simulation::Simulation(const Scene& scene, const StartingState& start)
       monitor_(scene_, domain_, dt_, limit_.recommended) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
   warn_of_lost_weight(scene, population_, warnings_);
+  warn_without_static_friction(scene, population_, warnings_);
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
   steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));
@@ -93,6 +89,20 @@ Simulation::Simulation(const Scene& scene, const StartingState& start)
                                        {"output.history_interval", scene.output.history_interval}}) {
     if (interval < dt_) scene.fail(path, fmt::format("{:g} s is shorter than the time step, {:g} s", interval, dt_));
   }
+}
+
+double Simulation::total_mass() const { return std::accumulate(particles_.mass.begin(), particles_.mass.end(), 0.0); }
+
+double Simulation::solid_volume() const {
+  double total = 0;
+  for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
+    if (particles_.is_particle(slot)) total += sphere_volume(particles_.now.rows[slot].radius);
+  }
+  return total;
+}
+
+bool Simulation::wants(OutputField field) const {
+  return std::count(scene_.output.fields.begin(), scene_.output.fields.end(), field) > 0;
 }
 
 std::int64_t Simulation::steps_in(double interval) const {
@@ -138,6 +148,9 @@ void Simulation::run(const SimulationEvents& events) {
       recorder.velocity.resize(particles_.size());
       recorder.force.resize(particles_.size());
       recorder.angular_velocity.resize(rotates(scene_) ? particles_.size() : 0);
+      recorder.angular_acceleration.resize(
+          want_snapshot && wants(output_angular_acceleration) ? recorder.angular_velocity.size() : 0);
+      recorder.elastic.assign(want_snapshot && wants(output_elastic) ? particles_.size() : 0, 0.0);
       recorder.contacts = {};
     }
     const StepSums sums = step(number, want_history ? &recorder : nullptr);
@@ -166,15 +179,9 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   if (events.history) {
     const Snapshot bed = geometry(number);
     const BedFrame frame = bed_frame(bed);
-    Vec3 zero_level = domain_.min;
-    zero_level[frame.axis] = frame.floor;
-    double gravitational = 0;
     const bool acts = scene_.gravity.present && time >= scene_.gravity.start;
-    for (std::size_t s = 0; acts && s < particles_.slots(); ++s) {
-      if (!particles_.is_particle(s)) continue;
-      const Vec3 height = bed.position[particles_.id[s]] - zero_level;
-      gravitational -= particles_.mass[s] * scene_.gravity.acceleration.dot(height);
-    }
+    const std::vector<double> potential = gravitational_energies(particles_, bed, frame, acts);
+    const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
     const BedState state =
         frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
     events.history(history_columns(),
@@ -215,15 +222,8 @@ Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) con
     s.type[particles_.id[slot]] = particles_.type[slot];
     s.material[particles_.id[slot]] = particles_.material[slot];
   }
-  for (const int field : scene_.output.fields) {
-    if (field == output_velocity) s.fields["velocity"] = {3, "m/s", flattened(recorder.velocity)};
-    if (field == output_force) s.fields["force"] = {3, "N", flattened(recorder.force)};
-    if (field == output_angular_velocity) {
-      auto values = flattened(recorder.angular_velocity);
-      values.resize(3 * particles_.size(), 0.0);  // nothing turns without friction
-      s.fields["angular_velocity"] = {3, "rad/s", std::move(values)};
-    }
-  }
+  const FieldSources sources{particles_, recorder, s, scene_.gravity.present && s.time >= scene_.gravity.start};
+  for (const int field : scene_.output.fields) add_field(s.fields, static_cast<OutputField>(field), sources);
   if (scene_.output.contacts) {
     s.contacts = recorder.contacts;
     for (Vec3& point : s.contacts->point) point = domain_.wrapped(point);

@@ -39,6 +39,11 @@ class Simulation {
   /// The scene as it is run: "auto" replaced by what was chosen.
   const Scene& scene() const { return scene_; }
   std::int64_t particle_count() const { return static_cast<std::int64_t>(particles_.size()); }
+  const Population& population() const { return population_; }
+  const StepLimit& step_limit() const { return limit_; }
+  /// Of all particles [kg], and their volume at full size [m3].
+  double total_mass() const;
+  double solid_volume() const;
   /// content_hash of the file the particles came from; empty for growth.
   const std::string& filling_hash() const { return filling_hash_; }
   std::int64_t steps() const { return steps_; }
@@ -57,6 +62,7 @@ class Simulation {
 
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   std::int64_t steps_in(double interval) const;
+  bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
   StepSums step(std::int64_t number, Recorder* recorder);
   void record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,

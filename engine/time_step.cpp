@@ -80,7 +80,7 @@ StepLimit step_limit(const Scene& scene, const Population& population) {
     const double steepest = std::max(scales.steepest, solid_sphere_sliding * tangential);
     const double dashpot = std::max(scales.damping, solid_sphere_sliding * scales.tangential_damping);
     const double dashpot_limit = dashpot > 0 ? m / dashpot : std::numeric_limits<double>::infinity();
-    const double recommended = std::min(packing_share * std::sqrt(2 * m / std::max(scales.stiffness, tangential)),
+    const double recommended = std::min(packing_share * std::sqrt(2 * m / std::max({scales.stiffness, tangential, scales.attraction_slope})),
                                         dashpot_share * dashpot_limit);
     tightest.recommended = std::min(tightest.recommended, recommended);
     const double limit = std::min(2 / std::sqrt(steepest / m), dashpot_limit);

@@ -15,8 +15,9 @@
 
 namespace packstone::engine {
 
-/// One loop over contacts for all laws: it branches once for all lanes, the same way throughout a run, which costs less
-/// than it would take to compile every pair of laws into a loop of its own (docs/performance.md).
+/// One loop over contacts for all laws: it branches once for all lanes, the same way throughout a run. Compiling every
+/// pair of laws into a loop of its own would take a quarter of an hour; that is also why the laws are called, not
+/// inlined (docs/performance.md).
 class ChosenNormal {
  public:
   static constexpr int most_kept = WaltonBraun::most_kept;
@@ -76,8 +77,8 @@ class ChosenNormal {
 
   /// overlap [m] > 0; rate of overlap [m/s].
   template <class T, class Kept>
-  [[gnu::always_inline]] NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate,
-                                              Kept& kept) const {
+  [[gnu::noinline]] NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate,
+                                         Kept& kept) const {
     using simd::larger;
     NormalForce<T> f = with_law([&](auto law) __attribute__((always_inline)) {
       return decltype(law)::force(own<decltype(law)>(pair), overlap, rate, kept);
@@ -88,7 +89,7 @@ class ChosenNormal {
 
   /// Stored energy [J].
   template <class T, class Kept>
-  [[gnu::always_inline]] T energy(const Coefficients<T>& pair, const T& overlap, const Kept& kept) const {
+  [[gnu::noinline]] T energy(const Coefficients<T>& pair, const T& overlap, const Kept& kept) const {
     return with_law([&](auto law) __attribute__((always_inline)) {
       return decltype(law)::energy(own<decltype(law)>(pair), overlap, kept);
     });

@@ -67,8 +67,7 @@ class ChosenTangential {
   }
 
   template <class T, class Kept>
-  [[gnu::always_inline]] TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip,
-                                                    Kept& kept) const {
+  [[gnu::noinline]] TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip, Kept& kept) const {
     return with_law([&](auto law) __attribute__((always_inline)) {
       using Law = decltype(law);
       using OwnParameters = typename Law::template Parameters<T>;

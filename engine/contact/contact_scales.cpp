@@ -1,6 +1,5 @@
 #include "engine/contact/contact_scales.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/contact/mixing.hpp"
@@ -50,8 +49,6 @@ void add_normal(ContactScales& scales, const Scene& scene, const MaterialSpec& a
       const auto pair = coefficients<Hysteretic>(scene, a, b, size);
       scales.stiffness = pair.stiffness;
       scales.steepest = pair.stiffness * (1 + pair.damping);
-      if (scene.contact.sign_speed > 0)
-        scales.damping = pair.damping * pair.stiffness * overlap / scene.contact.sign_speed;
       return;
     }
   }
@@ -84,11 +81,7 @@ ContactScales contact_scales(const Scene& scene, const MaterialSpec& a, const Ma
   add_normal(scales, scene, a, b, size, overlap);
   if (rotates(scene)) add_tangential(scales, scene, a, b, size, overlap);
   const VanDerWaalsSpec& w = scene.contact.van_der_waals;
-  if (w.present) {
-    const double slope = w.hamaker * size.effective_radius / (3 * w.min_gap * w.min_gap * w.min_gap);
-    scales.stiffness = std::max(scales.stiffness, slope);
-    scales.steepest = std::max(scales.steepest, slope);
-  }
+  if (w.present) scales.attraction_slope = w.hamaker * size.effective_radius / (3 * w.min_gap * w.min_gap * w.min_gap);
   return scales;
 }
 

@@ -196,6 +196,9 @@ class ContactForces {
         const Vec3 direction = lane_of<L>(n, lane);
         const double overlap = L::lane(at.overlap, lane), radius = L::lane(first.radius, lane);
         result.sums.largest_overlap_share = std::max(result.sums.largest_overlap_share, overlap / radius);
+        if (!recorder->elastic.empty()) {
+          recorder->elastic[static_cast<std::size_t>(a)] += (b < 0 ? 1.0 : 0.5) * L::lane(elastic, lane);
+        }
         if (b >= 0 && b < a) continue;
         ++(b < 0 ? result.sums.wall_contacts : result.sums.particle_contacts);
         if (!recorder->want_contacts) continue;

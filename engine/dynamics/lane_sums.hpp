@@ -16,6 +16,11 @@ struct BlockResult {
   Contacts contacts;
 };
 
+/// Which of the sums below contacts of given laws add to at all.
+struct SumsInUse {
+  bool plastic, growth, sliding, recorded;
+};
+
 /// Over the contacts of one kind.
 template <class Real>
 struct ContactSums {
@@ -27,14 +32,17 @@ struct ContactSums {
   Real attractive = 0.0;                                    ///< recorded [J]
   Real deepest = -std::numeric_limits<double>::infinity();  ///< overlap beyond the limit [m]
 
+  template <SumsInUse in_use>
   void add(const ContactSums& other) {
     using simd::larger;
     damping_power += other.damping_power;
-    plastic_loss += other.plastic_loss;
-    growth_power += other.growth_power;
-    sliding_loss += other.sliding_loss;
-    elastic += other.elastic;
-    attractive += other.attractive;
+    if constexpr (in_use.plastic) plastic_loss += other.plastic_loss;
+    if constexpr (in_use.growth) growth_power += other.growth_power;
+    if constexpr (in_use.sliding) sliding_loss += other.sliding_loss;
+    if constexpr (in_use.recorded) {
+      elastic += other.elastic;
+      attractive += other.attractive;
+    }
     deepest = larger(other.deepest, deepest);
   }
 

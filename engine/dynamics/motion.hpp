@@ -114,6 +114,9 @@ template <bool record, bool turning, bool compact, class L>
         const Vec3 turn = lane_of<L>(half_turn_before, k) + 0.5 * in.dt * lane_of<L>(angular_acceleration, k);
         sums.recorded.kinetic_rotational += 0.5 / p.inverse_inertia[slot] * turn.squaredNorm();
         recorder->angular_velocity[p.id[slot]] = turn;
+        if (!recorder->angular_acceleration.empty()) {
+          recorder->angular_acceleration[p.id[slot]] = lane_of<L>(angular_acceleration, k);
+        }
       }
     }
   }

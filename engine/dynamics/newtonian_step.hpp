@@ -268,12 +268,13 @@ class NewtonianStep final : public Dynamics {
       }
     }
     if constexpr (alike) pairs.deepest = fused(Real(-in.overlap_limit), self.radius, pairs.deepest);
+    constexpr SumsInUse in_use{Normal::plastic, !alike, Tangential::active, record};
     if constexpr (Precision::compact) {
       for (int part = 0; part < Precision::parts; ++part) {
-        sums.pairs.add(pairs.map([part](const Real& x) { return PairLanes::widened(x, part); }));
+        sums.pairs.template add<in_use>(pairs.map([part](const Real& x) { return PairLanes::widened(x, part); }));
       }
     } else {
-      sums.pairs.add(pairs);
+      sums.pairs.template add<in_use>(pairs);
     }
     return loads;
   }

@@ -62,6 +62,10 @@ struct Recorder {
   std::vector<Vec3> velocity;          ///< [m/s]
   std::vector<Vec3> angular_velocity;  ///< [rad/s]; empty where nothing turns
   std::vector<Vec3> force;             ///< contacts and gravity [N]
+  /// [rad/s2]; empty where nothing turns or it is not wanted.
+  std::vector<Vec3> angular_acceleration;
+  /// Half of what each contact between particles stores, all of what walls' contacts do [J]; empty where not wanted.
+  std::vector<double> elastic;
   Contacts contacts;
 };
 

@@ -2,11 +2,22 @@
 
 #include "engine/filling/file_filling.hpp"
 #include "engine/filling/growth.hpp"
+#include "engine/filling/lattice.hpp"
+#include "engine/filling/random_places.hpp"
 
 namespace packstone::engine {
 
 StartingState fill(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  if (scene.filling.kind == FillingKind::file) return particles_from_file(scene, domain, planes);
+  switch (scene.filling.kind) {
+    case FillingKind::file:
+      return particles_from_file(scene, domain, planes);
+    case FillingKind::lattice:
+      return lattice_particles(scene, domain, planes);
+    case FillingKind::random:
+      return randomly_placed_particles(scene, domain, planes);
+    case FillingKind::growth:
+      break;
+  }
   check_growth_volume(scene, domain);
   return grown_particles(scene, domain, planes);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/random.hpp"
+#include "engine/filling/placing.hpp"
 
 namespace packstone::engine {
 
@@ -17,11 +18,8 @@ constexpr double binary_close_packing = 1 - (1 - random_close_packing) * (1 - ra
 constexpr double gap_filling_ratio = 2.0;
 constexpr int placement_trials = 1000;
 
-Vec3 region_low(const Scene& s, const Domain& d) { return s.filling.region_min.value_or(d.min); }
-Vec3 region_high(const Scene& s, const Domain& d) { return s.filling.region_max.value_or(d.max); }
-
 Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes, std::int64_t id) {
-  const Vec3 low = region_low(scene, domain), high = region_high(scene, domain);
+  const auto [low, high] = region_of(scene, domain);
   Random random(static_cast<std::uint64_t>(scene.seed), RandomStream::filling_position, static_cast<std::uint64_t>(id));
   for (int trial = 0; trial < placement_trials; ++trial) {
     Vec3 p;
@@ -36,12 +34,14 @@ Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector
 }  // namespace
 
 void check_growth_volume(const Scene& scene, const Domain& domain) {
-  const auto [smallest, largest] =
-      std::minmax_element(scene.particles.begin(), scene.particles.end(),
-                          [](const auto& a, const auto& b) { return *a.radius < *b.radius; });
-  const double limit =
-      *largest->radius > gap_filling_ratio * *smallest->radius ? binary_close_packing : random_close_packing;
-  const double room = (region_high(scene, domain) - region_low(scene, domain)).prod();
+  SizeRange sizes = scene.size_range(0);
+  for (std::size_t g = 1; g < scene.particles.size(); ++g) {
+    const SizeRange own = scene.size_range(g);
+    sizes = {std::min(sizes.smallest, own.smallest), std::max(sizes.largest, own.largest)};
+  }
+  const double limit = sizes.largest > gap_filling_ratio * sizes.smallest ? binary_close_packing : random_close_packing;
+  const Region region = region_of(scene, domain);
+  const double room = (region.max - region.min).prod();
   const double solid = scene.solid_volume();
   if (solid > limit * room) {
     scene.fail(
@@ -56,11 +56,10 @@ void check_growth_volume(const Scene& scene, const Domain& domain) {
 StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
   StartingState start;
   for (std::size_t g = 0; g < scene.particles.size(); ++g) {
-    const GroupSpec& group = scene.particles[g];
-    for (std::int64_t k = 0; k < *group.count; ++k) {
+    for (const double radius : scene.radii(g)) {
       const auto id = static_cast<std::int64_t>(start.size());
       start.position.push_back(random_position(scene, domain, planes, id));
-      start.radius.push_back(*group.radius);
+      start.radius.push_back(radius);
       start.type.push_back(static_cast<std::int32_t>(g));
     }
   }

@@ -5,7 +5,6 @@
 #define PACKSTONE_AVX512 1
 
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -53,9 +52,18 @@ struct Avx512 : ReadsColumns<Avx512, double> {
     friend Real smaller(Real a, Real b) { return _mm512_maskz_min_pd(all, a.v, b.v); }
     friend Real absolute(Real a) { return _mm512_abs_pd(a.v); }
     friend Real square_root(Real x) { return _mm512_maskz_sqrt_pd(all, x.v); }
+    /// Of x >= 0, to the last bit or two: a third of the bits as an integer is a third of the exponent and near the
+    /// root, from where Halley's steps cube the error.
     friend Real cube_root(Real x) {
-      for (int k = 0; k < width; ++k) x.v[k] = std::cbrt(x.v[k]);
-      return x;
+      constexpr double bits_of_one_times_two_thirds = 3071306043645493248.0;
+      const Real third = fused(Real(_mm512_maskz_cvtepi64_pd(all, _mm512_castpd_si512(x.v))), Real(1.0 / 3),
+                               Real(bits_of_one_times_two_thirds));
+      Real y = _mm512_castsi512_pd(_mm512_maskz_cvtpd_epi64(all, third.v));
+      for (int step = 0; step < 3; ++step) {
+        const Real cube = y * y * y;
+        y = y * (fused(Real(2.0), x, cube) / fused(Real(2.0), cube, x));
+      }
+      return only(Real(0.0) < x, y);
     }
     friend Real nearest_integer(Real a) {
       return _mm512_maskz_roundscale_pd(all, a.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);

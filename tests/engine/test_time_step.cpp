@@ -66,6 +66,19 @@ TEST_CASE("a stiff tangential spring and a strong dashpot lower the limit") {
   CHECK(limit_with(dashpot).recommended == Approx(0.25 * light_mass / 2000));
 }
 
+TEST_CASE("laws whose stiffness grows with the overlap are taken where the monitor stops") {
+  std::string text = testing::small_scene;
+  for (std::size_t at; (at = text.find("normal_damping = 0.7")) != std::string::npos;) {
+    text.replace(at, 20, "restitution = 1\nyoung_modulus = 1e8\npoisson_ratio = 0.3");
+  }
+  const auto limit_at = [&](const std::string& overlap) {
+    return limit_of(parse_scene(text, "s.toml", {"contact.normal=hertz", "monitor.overlap_limit=" + overlap})).limit;
+  };
+  const double modulus = 1e8 / (2 * 0.91), slope = 2 * std::sqrt(0.01) * modulus * std::sqrt(0.05 * 0.02);
+  CHECK(limit_at("0.05") == Approx(2 * std::sqrt(0.5 * light_mass / slope)));
+  CHECK(limit_at("0.0125") == Approx(std::sqrt(2.0) * limit_at("0.05")));
+}
+
 TEST_CASE("auto takes the recommended step") {
   std::vector<std::string> warnings;
   const Scene scene = scene_with_step("auto");

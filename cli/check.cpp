@@ -1,0 +1,114 @@
+// packstone check: what a scene would run, without running it.
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/verbs.hpp"
+#include "core/scene.hpp"
+#include "engine/scene_check.hpp"
+
+namespace packstone::cli {
+
+namespace {
+
+using engine::SceneCheck;
+using nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+ordered_json as_json(const SceneCheck& c) {
+  const auto value = [](double number, const char* unit) { return ordered_json{{"value", number}, {"unit", unit}}; };
+  ordered_json pairs = ordered_json::array();
+  for (const auto& p : c.pairs) {
+    pairs.push_back({{"pair", p.pair},
+                     {"effective_mass", value(p.effective_mass, "kg")},
+                     {"contact_time", value(p.impact.duration, "s")},
+                     {"restitution", value(p.impact.restitution, "")},
+                     {"largest_overlap", value(p.overlap_share, "radius")},
+                     {"steps", value(p.steps, "")}});
+  }
+  ordered_json j = {
+      {"particles", c.particles},
+      {"mass", value(c.mass, "kg")},
+      {"solid_volume", value(c.solid_volume, "m3")},
+      {"domain", {{"value", {c.size[0], c.size[1], c.size[2]}}, {"unit", "m"}}},
+      {"time_step", value(c.time_step, "s")},
+      {"time_step_limit", value(c.limit.limit, "s")},
+      {"time_step_recommended", value(c.limit.recommended, "s")},
+      {"tightest_pair", c.limit.pair},
+      {"steps", c.steps},
+      {"reference_speed", value(c.reference_speed, "m/s")},
+      {"pairs", pairs},
+      {"memory", value(c.memory, "byte")},
+      {"snapshots", c.snapshots},
+      {"disk", value(c.disk, "byte")},
+      {"loop_time", value(c.seconds, "s")},
+      {"warnings", c.warnings},
+      {"advice", c.advice},
+  };
+  if (c.resting_overlap) j["resting_overlap"] = value(*c.resting_overlap, "radius");
+  if (c.bond_number) j["bond_number"] = value(*c.bond_number, "");
+  if (c.sticking_speed) j["sticking_speed"] = value(*c.sticking_speed, "m/s");
+  return j;
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void print_text(const SceneCheck& c) {
+  const auto line = [](const char* name, const std::string& text) { fmt::print("{:<18}{}\n", name, text); };
+  line("particles", fmt::format("{}, {:.4g} kg, {:.4g} m3 of solid", c.particles, c.mass, c.solid_volume));
+  line("domain", fmt::format("{:.4g} x {:.4g} x {:.4g} m", c.size[0], c.size[1], c.size[2]));
+  line("time step", fmt::format("{:.3g} us, {} steps; recommended {:.3g} us, limit {:.3g} us ({})", c.time_step * 1e6,
+                                c.steps, c.limit.recommended * 1e6, c.limit.limit * 1e6, c.limit.pair));
+  if (c.resting_overlap) line("overlap at rest", fmt::format("{:.2g} % of the radius", 100 * *c.resting_overlap));
+  if (c.bond_number) line("Bond number", fmt::format("{:.3g}", *c.bond_number));
+  if (c.sticking_speed) line("sticks below", fmt::format("{:.3g} m/s", *c.sticking_speed));
+  line("cost, about", fmt::format("{} of memory, {} in {} snapshots, {} on two cores", size_text(c.memory),
+                                  size_text(c.disk), c.snapshots, time_text(c.seconds)));
+  fmt::print("\nimpact at {:.3g} m/s{:>22}{:>14}{:>14}{:>14}\n", c.reference_speed, "contact time", "restitution",
+             "overlap [R]", "steps");
+  for (const auto& p : c.pairs) {
+    fmt::print("  {:<24}{:>12.4g} us{:>14.4f}{:>14.2g}{:>14.1f}\n", p.pair, p.impact.duration * 1e6,
+               p.impact.restitution, p.overlap_share, p.steps);
+  }
+  for (const auto& text : c.warnings) fmt::print("\nwarning: {}\n", text);
+  for (const auto& text : c.advice) fmt::print("\nadvice: {}\n", text);
+}
+
+void check(const CheckOptions& options) {
+  const SceneCheck result = engine::check_scene(read_scene(options.scene, options.overrides));
+  if (options.json) {
+    fmt::print("{}\n", as_json(result).dump(2));
+  } else {
+    print_text(result);
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb = app.add_subcommand("check", "Tell what a scene would run: contacts, step, cost, advice; no run");
+  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
+  verb->add_option("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "As JSON");
+  verb->callback([options] { check(*options); });
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,192 @@
+#include "engine/scene_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/geometry.hpp"
+#include "engine/contact/contact_scales.hpp"
+#include "engine/contact/van_der_waals.hpp"
+#include "engine/dynamics/step.hpp"
+#include "engine/simulation.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr double bed_fraction = 0.6;  ///< of a loose bed, for its height
+// Peak memory and speed, docs/performance.md: bytes a particle, particle-steps a second on two cores.
+constexpr double bytes_a_particle = 550, bytes_with_friction = 1100;
+constexpr double rate_frictionless = 25e6, rate_with_friction = 10e6, rate_of_other_laws = 6e6;
+constexpr double bytes_in_a_snapshot = 52, bytes_of_a_vector = 24, bytes_of_a_contact = 105, contacts_a_particle = 3;
+constexpr double negligible_bond_number = 0.01;
+constexpr double wanted_overlap = 0.005;  ///< of the radius: what a softened contact may have
+
+struct Body {
+  const GroupSpec* group;
+  const MaterialSpec* material;
+  double radius, mass;
+};
+
+std::vector<Body> smallest_of_each_group(const Scene& scene, const Population& population) {
+  std::vector<Body> bodies;
+  for (std::size_t g = 0; g < population.size(); ++g) {
+    if (population[g].count == 0) continue;
+    const MaterialSpec& material = scene.materials[scene.material_index(scene.particles[g].material)];
+    const double radius = population[g].smallest_radius;
+    bodies.push_back({&scene.particles[g], &material, radius, material.density * sphere_volume(radius)});
+  }
+  return bodies;
+}
+
+double gravity_of(const Scene& scene) { return scene.gravity.present ? scene.gravity.acceleration.norm() : 0; }
+
+/// Extent of the domain along gravity [m].
+double fall_height(const Scene& scene, const Vec3& size) {
+  return size.cwiseProduct(scene.gravity.acceleration.cwiseAbs()).sum() / scene.gravity.acceleration.norm();
+}
+
+double reference_speed(const Scene& scene, const SceneCheck& check, const std::vector<Body>& bodies) {
+  if (gravity_of(scene) > 0) return std::sqrt(2 * gravity_of(scene) * fall_height(scene, check.size));
+  const double radius = bodies.empty() ? 0 : bodies.front().radius;
+  return scene.filling.over() > 0 ? 2 * radius / scene.filling.over() : 1;
+}
+
+PairCheck check_pair(const Scene& scene, const std::string& name, const MaterialSpec& a, const MaterialSpec& b,
+                     const PairSize<double>& size, double smaller_radius, const SceneCheck& check) {
+  PairCheck pair;
+  pair.pair = name;
+  pair.effective_mass = 1 / size.inverse_mass_sum;
+  pair.impact = impact_of(scene, a, b, size, check.reference_speed);
+  pair.overlap_share = pair.impact.largest_overlap / smaller_radius;
+  pair.steps = pair.impact.duration / check.time_step;
+  return pair;
+}
+
+void check_pairs(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& a = bodies[i];
+    for (std::size_t j = i; j < bodies.size(); ++j) {
+      const Body& b = bodies[j];
+      const PairSize<double> size{1 / a.mass + 1 / b.mass, a.radius * b.radius / (a.radius + b.radius)};
+      check.pairs.push_back(check_pair(scene, a.group->name + " - " + b.group->name, *a.material, *b.material, size,
+                                       std::min(a.radius, b.radius), check));
+    }
+    for (const BoundarySpec& wall : scene.boundaries) {
+      const MaterialSpec& material = scene.materials[scene.material_index(wall.material)];
+      check.pairs.push_back(check_pair(scene, a.group->name + " - " + wall.name, *a.material, material,
+                                       {1 / a.mass, a.radius}, a.radius, check));
+    }
+  }
+}
+
+/// Overlap at which the elastic force holds a load, over the radius.
+double overlap_under(const Scene& scene, const Body& body, double load) {
+  const PairSize<double> size{2 / body.mass, 0.5 * body.radius};
+  const bool hertzian =
+      scene.contact.normal == NormalModel::hertz || scene.contact.normal == NormalModel::kuwabara_kono;
+  const double at = wanted_overlap * body.radius;
+  const double slope = contact_scales(scene, *body.material, *body.material, size, at).stiffness;
+  // Hertz' slope at an overlap is 3/2 F/xi there, and F goes as xi^(3/2).
+  const double overlap = hertzian ? at * std::pow(load / (slope * at / 1.5), 2.0 / 3) : load / slope;
+  return overlap / body.radius;
+}
+
+void check_rest(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
+  if (gravity_of(scene) == 0 || bodies.empty()) return;
+  const double area = check.size.prod() / fall_height(scene, check.size);
+  const double bed_height = check.solid_volume / (bed_fraction * area);
+  double share = 0;
+  for (const Body& body : bodies) {
+    const double column = std::max(1.0, bed_height / (2 * body.radius));
+    share = std::max(share, overlap_under(scene, body, column * body.mass * gravity_of(scene)));
+  }
+  check.resting_overlap = share;
+}
+
+void check_attraction(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
+  if (!scene.contact.van_der_waals.present || bodies.empty()) return;
+  const Body& smallest =
+      *std::min_element(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) { return a.radius < b.radius; });
+  const VanDerWaals law(scene.contact.van_der_waals);
+  const double radius = 0.5 * smallest.radius;
+  if (gravity_of(scene) > 0) check.bond_number = law.force(radius, 0.0) / (smallest.mass * gravity_of(scene));
+  const PairSize<double> size{2 / smallest.mass, radius};
+  const double e = impact_of(scene, *smallest.material, *smallest.material, size, check.reference_speed).restitution;
+  // Falling in adds what climbing out takes; the rebound keeps e^2 of both.
+  const double well = -law.energy(radius, 0.0);
+  check.sticking_speed =
+      e > 0 ? std::sqrt(2 * well * (1 / (e * e) - 1) * size.inverse_mass_sum) : check.reference_speed;
+}
+
+void check_cost(const Scene& scene, SceneCheck& check) {
+  const auto n = static_cast<double>(check.particles);
+  const bool friction = rotates(scene);
+  check.memory = n * (friction ? bytes_with_friction : bytes_a_particle);
+  const ContactSpec& c = scene.contact;
+  const bool own_loop = (c.normal == NormalModel::linear || c.normal == NormalModel::hysteretic) &&
+                        (!friction || c.tangential == TangentialModel::cundall_strack) && !c.van_der_waals.present;
+  const double rate = !own_loop ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
+  check.seconds = n * static_cast<double>(check.steps) / rate;
+  check.snapshots = 1 + std::llround(std::floor(scene.dynamics.duration / scene.output.interval * (1 + 1e-12)));
+  double bytes = bytes_in_a_snapshot + bytes_of_a_vector * static_cast<double>(scene.output.fields.size());
+  if (scene.output.contacts) bytes += bytes_of_a_contact * contacts_a_particle;
+  check.disk = n * bytes * static_cast<double>(check.snapshots);
+}
+
+void advise(const Scene& scene, SceneCheck& check) {
+  if (scene.contact.tangential != TangentialModel::none && !rotates(scene)) {
+    check.advice.push_back("contact.tangential: all friction is 0, so it does nothing and costs nothing");
+  }
+  if (check.bond_number && *check.bond_number < negligible_bond_number) {
+    check.advice.push_back(
+        fmt::format("contact.van_der_waals: at a Bond number of {:.2g} it may be left out", *check.bond_number));
+  }
+  double deepest = check.resting_overlap.value_or(0);
+  for (const PairCheck& pair : check.pairs) deepest = std::max(deepest, pair.overlap_share);
+  const bool elastic = scene.contact.normal == NormalModel::hertz || scene.contact.normal == NormalModel::kuwabara_kono;
+  // Overlaps go as stiffness^(-1/2) in impacts of springs, ^(-2/5) of Hertz' contacts; steps as stiffness^(-1/2).
+  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), elastic ? 2.5 : 2.0);
+  if (deepest > 0 && softer > 2) {
+    check.advice.push_back(fmt::format(
+        "{}: overlaps stay below {:.2g} % of the radius; {:.2g} times less would keep them below {:g} %, with a step "
+        "{:.2g} times as long",
+        elastic ? "young_modulus" : "normal_stiffness", 100 * deepest, softer, 100 * wanted_overlap,
+        std::sqrt(softer)));
+  }
+  if (deepest > scene.monitor.overlap_limit) {
+    check.advice.push_back(fmt::format(
+        "overlaps of up to {:.2g} % of the radius are to be expected, beyond monitor.overlap_limit = {:g} %: raise {}",
+        100 * deepest, 100 * scene.monitor.overlap_limit, elastic ? "young_modulus" : "normal_stiffness"));
+  }
+  if (scene.dynamics.time_step && check.time_step < 0.5 * check.limit.recommended) {
+    check.advice.push_back(fmt::format("dynamics.time_step: {:.3g} us would do, {:.2g} times as long",
+                                       1e6 * check.limit.recommended, check.limit.recommended / check.time_step));
+  }
+}
+
+}  // namespace
+
+SceneCheck check_scene(const Scene& scene) {
+  const Simulation simulation(scene);
+  SceneCheck check;
+  check.particles = simulation.particle_count();
+  check.size = simulation.scene().box().size();
+  check.time_step = *simulation.scene().dynamics.time_step;
+  check.limit = simulation.step_limit();
+  check.steps = simulation.steps();
+  check.warnings = simulation.warnings();
+  check.mass = simulation.total_mass();
+  check.solid_volume = simulation.solid_volume();
+  const std::vector<Body> bodies = smallest_of_each_group(scene, simulation.population());
+  check.reference_speed = reference_speed(scene, check, bodies);
+  check_pairs(scene, bodies, check);
+  check_rest(scene, bodies, check);
+  check_attraction(scene, bodies, check);
+  check_cost(scene, check);
+  advise(scene, check);
+  return check;
+}
+
+}  // namespace packstone::engine
