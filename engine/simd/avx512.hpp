@@ -56,12 +56,14 @@ struct Avx512 : ReadsColumns<Avx512, double> {
     /// root, from where Halley's steps cube the error.
     friend Real cube_root(Real x) {
       constexpr double bits_of_one_times_two_thirds = 3071306043645493248.0;
-      const Real third = fused(Real(_mm512_maskz_cvtepi64_pd(all, _mm512_castpd_si512(x.v))), Real(1.0 / 3),
+      constexpr double least = 1e-290;  // numbers near underflow would take a hundred times as long
+      const Real held = larger(x, Real(least));
+      const Real third = fused(Real(_mm512_maskz_cvtepi64_pd(all, _mm512_castpd_si512(held.v))), Real(1.0 / 3),
                                Real(bits_of_one_times_two_thirds));
       Real y = _mm512_castsi512_pd(_mm512_maskz_cvtpd_epi64(all, third.v));
       for (int step = 0; step < 3; ++step) {
         const Real cube = y * y * y;
-        y = y * (fused(Real(2.0), x, cube) / fused(Real(2.0), cube, x));
+        y = y * (fused(Real(2.0), held, cube) / fused(Real(2.0), cube, held));
       }
       return only(Real(0.0) < x, y);
     }

@@ -46,13 +46,14 @@ struct Avx512Single : ReadsColumns<Avx512Single, float> {
     friend Real square_root(Real x) { return _mm512_maskz_sqrt_ps(all, x.v); }
     /// As in Avx512.
     friend Real cube_root(Real x) {
-      constexpr double bits_of_one_times_two_thirds = 709958130.0;
-      const Real third = fused(Real(_mm512_maskz_cvtepi32_ps(all, _mm512_castps_si512(x.v))), Real(1.0 / 3),
+      constexpr double bits_of_one_times_two_thirds = 709958130.0, least = 1e-30;
+      const Real held = larger(x, Real(least));
+      const Real third = fused(Real(_mm512_maskz_cvtepi32_ps(all, _mm512_castps_si512(held.v))), Real(1.0 / 3),
                                Real(bits_of_one_times_two_thirds));
       Real y = _mm512_castsi512_ps(_mm512_maskz_cvtps_epi32(all, third.v));
       for (int step = 0; step < 2; ++step) {
         const Real cube = y * y * y;
-        y = y * (fused(Real(2.0), x, cube) / fused(Real(2.0), cube, x));
+        y = y * (fused(Real(2.0), held, cube) / fused(Real(2.0), cube, held));
       }
       return only(Real(0.0) < x, y);
     }
