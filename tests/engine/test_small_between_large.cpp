@@ -89,7 +89,7 @@ TEST_CASE("a small sphere rolls out of the groove between two large ones, at any
   }
   INFO("ratio " << ratio << ": " << time << " s, rolling takes " << expected << " s");
   CHECK(angle() >= to_angle);
-  CHECK(time == Approx(expected).epsilon(0.05));
+  CHECK(time == Approx(expected).epsilon(2e-3));
   while (groove.position(0).z() > -r && time < 2 * expected) {
     hold_large();
     groove.step();
