@@ -47,9 +47,7 @@ int permutation_count(std::size_t particles) {
 std::vector<std::int32_t> permuted(std::span<const std::int32_t> labels, std::uint64_t permutation) {
   std::vector<std::int32_t> result(labels.begin(), labels.end());
   Random random(permutation_seed, RandomStream::label_permutation, permutation);
-  for (std::size_t i = result.size(); i > 1; --i) {  // Fisher-Yates
-    std::swap(result[i - 1], result[random.below(static_cast<std::uint32_t>(i))]);
-  }
+  shuffle(result, random);
   return result;
 }
 

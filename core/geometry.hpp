@@ -9,6 +9,9 @@ namespace packstone {
 
 inline double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
+/// Moment of inertia of a solid sphere, 2/5 m R^2 [kg m2].
+inline double sphere_inertia(double mass, double radius) { return 2.0 / 5.0 * mass * radius * radius; }
+
 /// Volume of the part of a sphere below a plane at signed height h over its centre [m3].
 /// h <= -r gives 0, h >= r the whole sphere.
 inline double sphere_volume_below(double radius, double h) {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace packstone {
 
@@ -35,5 +37,13 @@ class Random {
   std::uint32_t block_[4] = {};
   int used_ = 4;
 };
+
+/// Puts values into random order, each order as likely (Fisher & Yates).
+template <class Value>
+void shuffle(std::vector<Value>& values, Random& random) {
+  for (std::size_t k = values.size(); k > 1; --k) {
+    std::swap(values[k - 1], values[random.below(static_cast<std::uint32_t>(k))]);
+  }
+}
 
 }  // namespace packstone

@@ -18,6 +18,8 @@ namespace packstone {
 
 enum class NormalModel { linear, hertz, kuwabara_kono, walton_braun, hysteretic };
 enum class TangentialModel { none, coulomb, haff_werner, cundall_strack, mindlin_deresiewicz, walton_braun };
+/// Whether the elastic force is that of Hertz' spheres, given by their moduli.
+inline bool is_hertzian(NormalModel law) { return law == NormalModel::hertz || law == NormalModel::kuwabara_kono; }
 /// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
 enum class Release { zero_overlap, zero_force };
 enum class FillingKind { growth, lattice, random, file };

@@ -202,9 +202,7 @@ std::vector<double> drawn_radii(const SizeSpec& spec, std::int64_t count, std::u
     }
   }
   Random order(seed, RandomStream::particle_radius, order_stream | stream_index);
-  for (std::size_t k = radii.size(); k > 1; --k) {
-    std::swap(radii[k - 1], radii[order.below(static_cast<std::uint32_t>(k))]);
-  }
+  shuffle(radii, order);
   return radii;
 }
 

@@ -37,11 +37,9 @@ std::string Monitor::overlap_advice(double time) const {
     return fmt::format("they overlap so in {}: move them apart there, or raise monitor.overlap_limit",
                        *scene_.filling.path);
   }
-  const NormalModel law = scene_.contact.normal;
-  const bool elastic = law == NormalModel::hertz || law == NormalModel::kuwabara_kono;
   return fmt::format("{}raise {}, or the step is too large: {}",
                      time < scene_.filling.over() ? "lengthen filling.duration, " : "",
-                     elastic ? "young_modulus" : "normal_stiffness", step_advice());
+                     is_hertzian(scene_.contact.normal) ? "young_modulus" : "normal_stiffness", step_advice());
 }
 
 bool Monitor::pulled_back(int face) const {

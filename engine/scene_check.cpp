@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "core/geometry.hpp"
 #include "engine/contact/contact_scales.hpp"
 #include "engine/contact/van_der_waals.hpp"
+#include "engine/contact_pairs.hpp"
 #include "engine/dynamics/step.hpp"
 #include "engine/simulation.hpp"
 
@@ -23,23 +23,6 @@ constexpr double bytes_in_a_snapshot = 52, bytes_of_a_vector = 24, bytes_of_a_co
 constexpr double negligible_bond_number = 0.01;
 constexpr double wanted_overlap = 0.005;  ///< of the radius: what a softened contact may have
 
-struct Body {
-  const GroupSpec* group;
-  const MaterialSpec* material;
-  double radius, mass;
-};
-
-std::vector<Body> smallest_of_each_group(const Scene& scene, const Population& population) {
-  std::vector<Body> bodies;
-  for (std::size_t g = 0; g < population.size(); ++g) {
-    if (population[g].count == 0) continue;
-    const MaterialSpec& material = scene.materials[scene.material_index(scene.particles[g].material)];
-    const double radius = population[g].smallest_radius;
-    bodies.push_back({&scene.particles[g], &material, radius, material.density * sphere_volume(radius)});
-  }
-  return bodies;
-}
-
 double gravity_of(const Scene& scene) { return scene.gravity.present ? scene.gravity.acceleration.norm() : 0; }
 
 /// Extent of the domain along gravity [m].
@@ -47,45 +30,24 @@ double fall_height(const Scene& scene, const Vec3& size) {
   return size.cwiseProduct(scene.gravity.acceleration.cwiseAbs()).sum() / scene.gravity.acceleration.norm();
 }
 
-double reference_speed(const Scene& scene, const SceneCheck& check, const std::vector<Body>& bodies) {
+double reference_speed(const Scene& scene, const SceneCheck& check, const std::vector<SmallestParticle>& bodies) {
   if (gravity_of(scene) > 0) return std::sqrt(2 * gravity_of(scene) * fall_height(scene, check.size));
   const double radius = bodies.empty() ? 0 : bodies.front().radius;
   return scene.filling.over() > 0 ? 2 * radius / scene.filling.over() : 1;
 }
 
-PairCheck check_pair(const Scene& scene, const std::string& name, const MaterialSpec& a, const MaterialSpec& b,
-                     const PairSize<double>& size, double smaller_radius, const SceneCheck& check) {
-  PairCheck pair;
-  pair.pair = name;
-  pair.effective_mass = 1 / size.inverse_mass_sum;
-  pair.impact = impact_of(scene, a, b, size, check.reference_speed);
-  pair.overlap_share = pair.impact.largest_overlap / smaller_radius;
-  pair.steps = pair.impact.duration / check.time_step;
-  return pair;
-}
-
-void check_pairs(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& a = bodies[i];
-    for (std::size_t j = i; j < bodies.size(); ++j) {
-      const Body& b = bodies[j];
-      const PairSize<double> size{1 / a.mass + 1 / b.mass, a.radius * b.radius / (a.radius + b.radius)};
-      check.pairs.push_back(check_pair(scene, a.group->name + " - " + b.group->name, *a.material, *b.material, size,
-                                       std::min(a.radius, b.radius), check));
-    }
-    for (const BoundarySpec& wall : scene.boundaries) {
-      const MaterialSpec& material = scene.materials[scene.material_index(wall.material)];
-      check.pairs.push_back(check_pair(scene, a.group->name + " - " + wall.name, *a.material, material,
-                                       {1 / a.mass, a.radius}, a.radius, check));
-    }
+void check_pairs(const Scene& scene, const Population& population, SceneCheck& check) {
+  for (const ContactPair& pair : contact_pairs(scene, population)) {
+    const Impact impact = impact_of(scene, *pair.a, *pair.b, pair.size, check.reference_speed);
+    check.pairs.push_back({pair.name, pair.effective_mass(), impact, impact.largest_overlap / pair.smaller_radius,
+                           impact.duration / check.time_step});
   }
 }
 
 /// Overlap at which the elastic force holds a load, over the radius.
-double overlap_under(const Scene& scene, const Body& body, double load) {
+double overlap_under(const Scene& scene, const SmallestParticle& body, double load) {
   const PairSize<double> size{2 / body.mass, 0.5 * body.radius};
-  const bool hertzian =
-      scene.contact.normal == NormalModel::hertz || scene.contact.normal == NormalModel::kuwabara_kono;
+  const bool hertzian = is_hertzian(scene.contact.normal);
   const double at = wanted_overlap * body.radius;
   const double slope = contact_scales(scene, *body.material, *body.material, size, at).stiffness;
   // Hertz' slope at an overlap is 3/2 F/xi there, and F goes as xi^(3/2).
@@ -93,22 +55,22 @@ double overlap_under(const Scene& scene, const Body& body, double load) {
   return overlap / body.radius;
 }
 
-void check_rest(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
+void check_rest(const Scene& scene, const std::vector<SmallestParticle>& bodies, SceneCheck& check) {
   if (gravity_of(scene) == 0 || bodies.empty()) return;
   const double area = check.size.prod() / fall_height(scene, check.size);
   const double bed_height = check.solid_volume / (bed_fraction * area);
   double share = 0;
-  for (const Body& body : bodies) {
+  for (const SmallestParticle& body : bodies) {
     const double column = std::max(1.0, bed_height / (2 * body.radius));
     share = std::max(share, overlap_under(scene, body, column * body.mass * gravity_of(scene)));
   }
   check.resting_overlap = share;
 }
 
-void check_attraction(const Scene& scene, const std::vector<Body>& bodies, SceneCheck& check) {
+void check_attraction(const Scene& scene, const std::vector<SmallestParticle>& bodies, SceneCheck& check) {
   if (!scene.contact.van_der_waals.present || bodies.empty()) return;
-  const Body& smallest =
-      *std::min_element(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) { return a.radius < b.radius; });
+  const SmallestParticle& smallest =
+      *std::min_element(bodies.begin(), bodies.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
   const VanDerWaals law(scene.contact.van_der_waals);
   const double radius = 0.5 * smallest.radius;
   if (gravity_of(scene) > 0) check.bond_number = law.force(radius, 0.0) / (smallest.mass * gravity_of(scene));
@@ -124,10 +86,7 @@ void check_cost(const Scene& scene, SceneCheck& check) {
   const auto n = static_cast<double>(check.particles);
   const bool friction = rotates(scene);
   check.memory = n * (friction ? bytes_with_friction : bytes_a_particle);
-  const ContactSpec& c = scene.contact;
-  const bool own_loop = (c.normal == NormalModel::linear || c.normal == NormalModel::hysteretic) &&
-                        (!friction || c.tangential == TangentialModel::cundall_strack) && !c.van_der_waals.present;
-  const double rate = !own_loop ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
+  const double rate = !has_own_loop(scene) ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
   check.seconds = n * static_cast<double>(check.steps) / rate;
   check.snapshots = 1 + std::llround(std::floor(scene.dynamics.duration / scene.output.interval * (1 + 1e-12)));
   double bytes = bytes_in_a_snapshot + bytes_of_a_vector * static_cast<double>(scene.output.fields.size());
@@ -145,20 +104,20 @@ void advise(const Scene& scene, SceneCheck& check) {
   }
   double deepest = check.resting_overlap.value_or(0);
   for (const PairCheck& pair : check.pairs) deepest = std::max(deepest, pair.overlap_share);
-  const bool elastic = scene.contact.normal == NormalModel::hertz || scene.contact.normal == NormalModel::kuwabara_kono;
+  const bool hertzian = is_hertzian(scene.contact.normal);
   // Overlaps go as stiffness^(-1/2) in impacts of springs, ^(-2/5) of Hertz' contacts; steps as stiffness^(-1/2).
-  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), elastic ? 2.5 : 2.0);
+  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), hertzian ? 2.5 : 2.0);
   if (deepest > 0 && softer > 2) {
     check.advice.push_back(fmt::format(
         "{}: overlaps stay below {:.2g} % of the radius; {:.2g} times less would keep them below {:g} %, with a step "
         "{:.2g} times as long",
-        elastic ? "young_modulus" : "normal_stiffness", 100 * deepest, softer, 100 * wanted_overlap,
+        hertzian ? "young_modulus" : "normal_stiffness", 100 * deepest, softer, 100 * wanted_overlap,
         std::sqrt(softer)));
   }
   if (deepest > scene.monitor.overlap_limit) {
     check.advice.push_back(fmt::format(
         "overlaps of up to {:.2g} % of the radius are to be expected, beyond monitor.overlap_limit = {:g} %: raise {}",
-        100 * deepest, 100 * scene.monitor.overlap_limit, elastic ? "young_modulus" : "normal_stiffness"));
+        100 * deepest, 100 * scene.monitor.overlap_limit, hertzian ? "young_modulus" : "normal_stiffness"));
   }
   if (scene.dynamics.time_step && check.time_step < 0.5 * check.limit.recommended) {
     check.advice.push_back(fmt::format("dynamics.time_step: {:.3g} us would do, {:.2g} times as long",
@@ -179,9 +138,9 @@ SceneCheck check_scene(const Scene& scene) {
   check.warnings = simulation.warnings();
   check.mass = simulation.total_mass();
   check.solid_volume = simulation.solid_volume();
-  const std::vector<Body> bodies = smallest_of_each_group(scene, simulation.population());
+  const std::vector<SmallestParticle> bodies = smallest_particles(scene, simulation.population());
   check.reference_speed = reference_speed(scene, check, bodies);
-  check_pairs(scene, bodies, check);
+  check_pairs(scene, simulation.population(), check);
   check_rest(scene, bodies, check);
   check_attraction(scene, bodies, check);
   check_cost(scene, check);

@@ -1,6 +1,6 @@
 #include "engine/snapshot_fields.hpp"
 
-#include <utility>
+#include "core/geometry.hpp"
 
 namespace packstone::engine {
 
@@ -25,10 +25,7 @@ Field vectors(const std::vector<Vec3>& rows, std::size_t particles, const char* 
   return field;
 }
 
-double inertia(const Particles& p, std::size_t slot) {
-  constexpr double solid_sphere = 2.0 / 5;
-  return solid_sphere * p.mass[slot] * p.now.rows[slot].radius * p.now.rows[slot].radius;
-}
+double inertia(const Particles& p, std::size_t slot) { return sphere_inertia(p.mass[slot], p.now.rows[slot].radius); }
 
 }  // namespace
 

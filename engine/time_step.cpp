@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/geometry.hpp"
 #include "engine/contact/collision.hpp"
 #include "engine/contact/contact_scales.hpp"
+#include "engine/contact_pairs.hpp"
 #include "engine/dynamics/step.hpp"
 
 namespace packstone::engine {
@@ -21,58 +21,12 @@ constexpr double dashpot_share = 0.5;         ///< of the dashpot's limit
 
 std::string in_microseconds(double seconds) { return fmt::format("{:.3g} us", seconds * 1e6); }
 
-struct Candidate {
-  const MaterialSpec* a;
-  const MaterialSpec* b;
-  PairSize<double> size;
-  double smaller_radius;
-  std::string pair;
-
-  double effective_mass() const { return 1 / size.inverse_mass_sum; }
-};
-
-/// The lightest particle of a group that has any.
-struct Lightest {
-  const GroupSpec* group;
-  const MaterialSpec* material;
-  double mass;
-  double radius;
-};
-
-std::vector<Lightest> lightest_particles(const Scene& s, const Population& population) {
-  std::vector<Lightest> result;
-  for (std::size_t g = 0; g < population.size(); ++g) {
-    if (population[g].count == 0) continue;
-    const MaterialSpec& material = s.materials[s.material_index(s.particles[g].material)];
-    const double radius = population[g].smallest_radius;
-    result.push_back({&s.particles[g], &material, material.density * sphere_volume(radius), radius});
-  }
-  return result;
-}
-
-std::vector<Candidate> candidates(const Scene& s, const Population& population) {
-  std::vector<Candidate> result;
-  const std::vector<Lightest> lightest = lightest_particles(s, population);
-  for (const Lightest& g : lightest) {
-    for (const Lightest& h : lightest) {
-      const PairSize<double> size{1 / g.mass + 1 / h.mass, g.radius * h.radius / (g.radius + h.radius)};
-      result.push_back(
-          {g.material, h.material, size, std::min(g.radius, h.radius), g.group->name + " - " + h.group->name});
-    }
-    for (const auto& b : s.boundaries) {
-      const MaterialSpec& wall = s.materials[s.material_index(b.material)];
-      result.push_back({g.material, &wall, {1 / g.mass, g.radius}, g.radius, g.group->name + " - " + b.name});
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 StepLimit step_limit(const Scene& scene, const Population& population) {
   StepLimit tightest;
   tightest.limit = tightest.recommended = std::numeric_limits<double>::infinity();
-  for (const auto& c : candidates(scene, population)) {
+  for (const ContactPair& c : contact_pairs(scene, population)) {
     const double m = c.effective_mass();
     const ContactScales scales =
         contact_scales(scene, *c.a, *c.b, c.size, scene.monitor.overlap_limit * c.smaller_radius);
@@ -80,8 +34,9 @@ StepLimit step_limit(const Scene& scene, const Population& population) {
     const double steepest = std::max(scales.steepest, solid_sphere_sliding * tangential);
     const double dashpot = std::max(scales.damping, solid_sphere_sliding * scales.tangential_damping);
     const double dashpot_limit = dashpot > 0 ? m / dashpot : std::numeric_limits<double>::infinity();
-    const double recommended = std::min(packing_share * std::sqrt(2 * m / std::max({scales.stiffness, tangential, scales.attraction_slope})),
-                                        dashpot_share * dashpot_limit);
+    const double recommended =
+        std::min(packing_share * std::sqrt(2 * m / std::max({scales.stiffness, tangential, scales.attraction_slope})),
+                 dashpot_share * dashpot_limit);
     tightest.recommended = std::min(tightest.recommended, recommended);
     const double limit = std::min(2 / std::sqrt(steepest / m), dashpot_limit);
     if (limit >= tightest.limit) continue;
@@ -89,7 +44,7 @@ StepLimit step_limit(const Scene& scene, const Population& population) {
     tightest.contact_time = undamped_contact_time(scales.stiffness, m);
     tightest.stiffness = steepest;
     tightest.effective_mass = m;
-    tightest.pair = c.pair;
+    tightest.pair = c.name;
   }
   return tightest;
 }

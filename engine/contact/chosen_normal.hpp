@@ -7,6 +7,7 @@
 #include "engine/contact/hertz.hpp"
 #include "engine/contact/hysteretic.hpp"
 #include "engine/contact/kuwabara_kono.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/linear.hpp"
 #include "engine/contact/normal_force.hpp"
 #include "engine/contact/van_der_waals.hpp"
@@ -18,7 +19,7 @@ namespace packstone::engine {
 /// One loop over contacts for all laws: it branches once for all lanes, the same way throughout a run. Compiling every
 /// pair of laws into a loop of its own would take a quarter of an hour; that is also why the laws are called, not
 /// inlined (docs/performance.md).
-class ChosenNormal {
+class ChosenNormal : public ChosenLaw<3> {
  public:
   static constexpr int most_kept = WaltonBraun::most_kept;
   static constexpr bool plastic = true;
@@ -53,28 +54,6 @@ class ChosenNormal {
     return with_law([](auto law) { return decltype(law)::most_kept; });
   }
 
-  template <class T>
-  struct Parameters {
-    static constexpr int count = 3;  ///< the most that a law has
-    std::array<T, count> numbers;
-
-    std::array<T, count> values() const { return numbers; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {{parameter(0), parameter(1), parameter(2)}};
-    }
-  };
-
-  template <class T>
-  struct Coefficients {
-    Parameters<T> pair;
-    PairSize<T> size;
-  };
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& size) {
-    return {pair, size};
-  }
-
   /// overlap [m] > 0; rate of overlap [m/s].
   template <class T, class Kept>
   [[gnu::noinline]] NormalForce<T> force(const Coefficients<T>& pair, const T& overlap, const T& rate,
@@ -96,13 +75,6 @@ class ChosenNormal {
   }
 
  private:
-  template <class Law, class T>
-  [[gnu::always_inline]] static auto own(const Coefficients<T>& pair) {
-    using OwnParameters = typename Law::template Parameters<T>;
-    return Law::coefficients(OwnParameters::from([&](int k) { return pair.pair.numbers[static_cast<std::size_t>(k)]; }),
-                             pair.size);
-  }
-
   NormalModel model_;
   bool ends_with_force_;
   VanDerWaals attraction_;

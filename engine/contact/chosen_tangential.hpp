@@ -7,13 +7,14 @@
 #include "engine/contact/coulomb.hpp"
 #include "engine/contact/cundall_strack.hpp"
 #include "engine/contact/haff_werner.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/mindlin_deresiewicz.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/contact/walton_braun_tangential.hpp"
 
 namespace packstone::engine {
 
-class ChosenTangential {
+class ChosenTangential : public ChosenLaw<2> {
  public:
   static constexpr bool active = true;
   static constexpr int most_kept = MindlinDeresiewicz::most_kept;
@@ -44,36 +45,10 @@ class ChosenTangential {
     return with_law([](auto law) { return decltype(law)::most_kept; });
   }
 
-  template <class T>
-  struct Parameters {
-    static constexpr int count = 2;  ///< the most that a law has
-    std::array<T, count> numbers;
-
-    std::array<T, count> values() const { return numbers; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {{parameter(0), parameter(1)}};
-    }
-  };
-
-  template <class T>
-  struct Coefficients {
-    Parameters<T> pair;
-    PairSize<T> size;
-  };
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& size) {
-    return {pair, size};
-  }
-
   template <class T, class Kept>
   [[gnu::noinline]] TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip, Kept& kept) const {
     return with_law([&](auto law) __attribute__((always_inline)) {
-      using Law = decltype(law);
-      using OwnParameters = typename Law::template Parameters<T>;
-      const auto parameters =
-          OwnParameters::from([&](int k) { return pair.pair.numbers[static_cast<std::size_t>(k)]; });
-      return Law::advance(Law::coefficients(parameters, pair.size), slip, kept);
+      return decltype(law)::advance(own<decltype(law)>(pair), slip, kept);
     });
   }
 

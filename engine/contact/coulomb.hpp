@@ -1,16 +1,14 @@
 // Sliding friction: Zhong et al., Acta Phys. Sin. 58 (2009), eq. [22], model VII.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
 
 namespace packstone::engine {
 
 /// F_s = -mu |F_n| v_s/|v_s|. It jumps where v_s turns round: a contact at rest chatters and cannot hold a slope.
-struct Coulomb {
+struct Coulomb : WithoutSizes {
   static constexpr int most_kept = 0;
 
   template <class T>
@@ -18,19 +16,10 @@ struct Coulomb {
     T friction;  ///< mu
 
     static constexpr int count = 1;
-    std::array<T, count> values() const { return {friction}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0)};
-    }
   };
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   template <class T, class Kept>
   [[gnu::always_inline]] static TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip,

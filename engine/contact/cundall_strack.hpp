@@ -2,9 +2,7 @@
 // Cundall & Strack, Geotechnique 29 (1979) 47.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
 
@@ -12,7 +10,7 @@ namespace packstone::engine {
 
 /// F_s = -k_s s, with s the tangential displacement since the contact began, kept in the contact plane; the spring
 /// slides with the contact where it would exceed mu |F_n|. The force follows the spring, not sgn(v_s) as printed.
-struct CundallStrack {
+struct CundallStrack : WithoutSizes {
   static constexpr bool active = true;
   static constexpr int most_kept = 3;  ///< s [m]
   static constexpr int kept() { return most_kept; }
@@ -23,19 +21,10 @@ struct CundallStrack {
     T friction;   ///< mu
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {stiffness, friction}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   /// Advances the spring by a step at a sliding velocity to the instant of the forces. With the velocity half a step
   /// before that instant, this is the leapfrog scheme, of second order and without gain or loss. Swapping the bodies

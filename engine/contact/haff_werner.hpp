@@ -2,16 +2,14 @@
 // 58 (2009), eq. [23], model VIII.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
 
 namespace packstone::engine {
 
 /// F_s = -min(g_s |v_s|, mu |F_n|) v_s/|v_s|. Without static friction: a contact under load creeps.
-struct HaffWerner {
+struct HaffWerner : WithoutSizes {
   static constexpr int most_kept = 0;
 
   template <class T>
@@ -20,19 +18,10 @@ struct HaffWerner {
     T friction;  ///< mu
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {damping, friction}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   template <class T, class Kept>
   [[gnu::always_inline]] static TangentialForce<T> advance(const Coefficients<T>& pair, const Slip<T>& slip,

@@ -1,8 +1,7 @@
 // Hertz contact with a dashpot: Zhong et al., Acta Phys. Sin. 58 (2009), eqs [10]-[14], model II.
 #pragma once
 
-#include <array>
-
+#include "engine/contact/hertzian.hpp"
 #include "engine/contact/normal_force.hpp"
 #include "engine/simd/scalar.hpp"
 
@@ -11,7 +10,7 @@ namespace packstone::engine {
 /// F_n = K xi^(3/2) + g xi_dot, K = 4/3 sqrt(R_eff) E_eff. g is constant [14], whose restitution falls with the speed;
 /// or, from a given restitution, alpha sqrt(m_eff K) xi^(1/4), whose restitution is the same at any speed (Tsuji,
 /// Tanaka & Ishida, Powder Technol. 71 (1992) 239).
-struct Hertz {
+struct Hertz : Hertzian {
   static constexpr int most_kept = 0;
 
   template <class T>
@@ -21,11 +20,6 @@ struct Hertz {
     T alpha;    ///< of the dashpot from a restitution
 
     static constexpr int count = 3;
-    std::array<T, count> values() const { return {modulus, damping, alpha}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1), parameter(2)};
-    }
   };
 
   template <class T>
@@ -37,8 +31,8 @@ struct Hertz {
   template <class T>
   [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& size) {
     using simd::square_root;
-    const T stiffness = T(4.0 / 3) * square_root(size.effective_radius) * pair.modulus;
-    return {stiffness, pair.damping, pair.alpha * square_root(stiffness / size.inverse_mass_sum)};
+    const T K = stiffness(pair.modulus, size);
+    return {K, pair.damping, pair.alpha * square_root(K / size.inverse_mass_sum)};
   }
 
   /// overlap [m] > 0; rate of overlap [m/s].
@@ -50,13 +44,6 @@ struct Hertz {
     const T elastic = pair.stiffness * root * overlap;
     const T damping = fused(pair.damping_at_unit_overlap, square_root(root), pair.damping) * rate;
     return {elastic, damping};
-  }
-
-  /// Stored energy [J].
-  template <class T, class Kept>
-  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap, const Kept& /*kept*/) {
-    using simd::square_root;
-    return T(2.0 / 5) * pair.stiffness * overlap * overlap * square_root(overlap);
   }
 };
 

@@ -1,9 +1,7 @@
 // Hysteretic damping: Zhong et al., Acta Phys. Sin. 58 (2009), eqs [17], [18], model V.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/simd/scalar.hpp"
 
 namespace packstone::engine {
@@ -12,7 +10,7 @@ namespace packstone::engine {
 /// The force jumps by 2 g k xi where the rate changes sign, so that a bed at rest keeps a residual jitter. With a sign
 /// speed w the sign is xi_dot/w held within -1 and 1 instead, which comes to rest; restitution then falls below it at
 /// speeds that do not exceed w by much.
-struct Hysteretic {
+struct Hysteretic : WithoutSizes {
   static constexpr int most_kept = 0;
   static constexpr bool plastic = false;
   static constexpr bool attracts = false;
@@ -25,21 +23,12 @@ struct Hysteretic {
     T inverse_sign_speed;  ///< 1/w [s/m], or steepest_sign
 
     static constexpr int count = 3;
-    std::array<T, count> values() const { return {stiffness, damping, inverse_sign_speed}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1), parameter(2)};
-    }
   };
   /// Stands for 1/w where the sign jumps; finite in single precision too [s/m].
   static constexpr double steepest_sign = 1e30;
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   /// overlap [m] > 0; rate of overlap [m/s].
   template <class T, class Kept>

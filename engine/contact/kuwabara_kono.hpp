@@ -2,8 +2,7 @@
 // Phys. Rev. E 53 (1996) 5382; Zhong et al., Acta Phys. Sin. 58 (2009), eq. [15], model III.
 #pragma once
 
-#include <array>
-
+#include "engine/contact/hertzian.hpp"
 #include "engine/contact/normal_force.hpp"
 #include "engine/simd/scalar.hpp"
 
@@ -11,7 +10,7 @@ namespace packstone::engine {
 
 /// F_n = K (xi^(3/2) + 3/2 B xi^(1/2) xi_dot), K that of Hertz. Restitution falls with the impact speed v, at low
 /// speeds 1 - e ~ v^(1/5).
-struct KuwabaraKono {
+struct KuwabaraKono : Hertzian {
   static constexpr int most_kept = 0;
 
   template <class T>
@@ -20,11 +19,6 @@ struct KuwabaraKono {
     T dissipation_time;  ///< B [s]
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {modulus, dissipation_time}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>
@@ -34,8 +28,7 @@ struct KuwabaraKono {
   };
   template <class T>
   [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& size) {
-    using simd::square_root;
-    return {T(4.0 / 3) * square_root(size.effective_radius) * pair.modulus, pair.dissipation_time};
+    return {stiffness(pair.modulus, size), pair.dissipation_time};
   }
 
   /// overlap [m] > 0; rate of overlap [m/s].
@@ -47,13 +40,6 @@ struct KuwabaraKono {
     const T elastic = stiffness_times_root * overlap;
     const T damping = T(1.5) * pair.dissipation_time * stiffness_times_root * rate;
     return {elastic, damping};
-  }
-
-  /// Stored energy [J].
-  template <class T, class Kept>
-  [[gnu::always_inline]] static T energy(const Coefficients<T>& pair, const T& overlap, const Kept& /*kept*/) {
-    using simd::square_root;
-    return T(2.0 / 5) * pair.stiffness * overlap * overlap * square_root(overlap);
   }
 };
 

@@ -1,8 +1,6 @@
 // Linear spring-dashpot: Zhong et al., Acta Phys. Sin. 58 (2009), eqs [5], [6], model I.
 #pragma once
 
-#include <array>
-
 #include "core/scene.hpp"
 #include "engine/contact/normal_force.hpp"
 #include "engine/simd/scalar.hpp"
@@ -26,11 +24,6 @@ struct Linear {
     T damping_per_root_mass;  ///< further damping over sqrt(m_eff), from a given restitution [N s/m/sqrt(kg)]
 
     static constexpr int count = 3;
-    std::array<T, count> values() const { return {stiffness, damping, damping_per_root_mass}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1), parameter(2)};
-    }
   };
 
   /// Stiffness and dashpot of a pair of particles.

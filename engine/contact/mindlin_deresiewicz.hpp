@@ -3,8 +3,6 @@
 // [19]-[21], model VI.
 #pragma once
 
-#include <array>
-
 #include "engine/contact/normal_force.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
@@ -28,11 +26,6 @@ struct MindlinDeresiewicz {
     T friction;  ///< mu
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {modulus, friction}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>

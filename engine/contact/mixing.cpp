@@ -44,7 +44,7 @@ void set_chosen(typename Chosen::template Parameters<double>& pair, const Contac
   Chosen(contact).with_law([&](auto law) {
     typename decltype(law)::template Parameters<double> own{};
     set_pair(own, contact, a, b);
-    const auto values = own.values();
+    const auto values = numbers_of(own);
     std::copy(values.begin(), values.end(), pair.numbers.begin());
   });
 }

@@ -20,7 +20,7 @@ class PairTable {
       for (const auto& b : materials) {
         Numbers pair{};
         set_pair(pair, contact, a, b);
-        const auto values = pair.values();
+        const auto values = numbers_of(pair);
         for (std::size_t k = 0; k < values.size(); ++k) table_[k].push_back(values[k]);
       }
     }

@@ -2,9 +2,7 @@
 // Phys. Sin. 58 (2009), eq. [16], model IV.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/simd/scalar.hpp"
 
 namespace packstone::engine {
@@ -12,7 +10,7 @@ namespace packstone::engine {
 /// First loading F_n = k_1 xi; unloading and reloading below the largest overlap so far, xi_max, F_n = k_2 (xi - xi_0),
 /// never below 0, with xi_0 = xi_max (1 - k_1/k_2) the plastic deformation. Restitution sqrt(k_1/k_2) at any speed. The
 /// deformation is forgotten when the bodies part.
-struct WaltonBraun {
+struct WaltonBraun : WithoutSizes {
   static constexpr int most_kept = 1;  ///< xi_max [m]
 
   template <class T>
@@ -21,19 +19,10 @@ struct WaltonBraun {
     T unloading;  ///< k_2 >= k_1 [N/m]
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {loading, unloading}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   /// overlap [m] > 0.
   template <class T, class Kept>

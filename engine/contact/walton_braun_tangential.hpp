@@ -2,9 +2,7 @@
 // Zhong et al., Acta Phys. Sin. 58 (2009), eqs [26], [27], model X.
 #pragma once
 
-#include <array>
-
-#include "engine/contact/normal_force.hpp"
+#include "engine/contact/law.hpp"
 #include "engine/contact/tangential_force.hpp"
 #include "engine/simd/vector.hpp"
 
@@ -15,7 +13,7 @@ namespace packstone::engine {
 /// (the minus printed before K_0 in [27b] would make the stiffness negative). F*: F at the last reversal, 0 at first,
 /// held within L. Displacements across the force meet K_0 (Walton, in Particulate Two-Phase Flow (1993) ch. 25).
 /// A step follows the law exactly as long as F_n and the direction hold, so a step of any length ends within L.
-struct WaltonBraunTangential {
+struct WaltonBraunTangential : WithoutSizes {
   static constexpr int most_kept = 4;  ///< the force that the second body feels [N], F*
 
   template <class T>
@@ -24,19 +22,10 @@ struct WaltonBraunTangential {
     T friction;   ///< mu
 
     static constexpr int count = 2;
-    std::array<T, count> values() const { return {stiffness, friction}; }
-    template <class Source>
-    static Parameters from(Source&& parameter) {
-      return {parameter(0), parameter(1)};
-    }
   };
 
   template <class T>
   using Coefficients = Parameters<T>;
-  template <class T>
-  [[gnu::always_inline]] static Coefficients<T> coefficients(const Parameters<T>& pair, const PairSize<T>& /*size*/) {
-    return pair;
-  }
 
   /// The stored energy is that of the stiffness K_0, F^2 / (2 K_0); what the work leaves beside it is dissipated.
   template <class T, class Kept>

@@ -226,7 +226,7 @@ class ContactForces {
   template <class L, class Law>
   [[gnu::always_inline]] auto common_parameters(const PairTable<Law>& table) const {
     using Real = typename L::Real;
-    return Law::template Parameters<Real>::from([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
+    return parameters_from<typename Law::template Parameters<Real>>([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
   }
 
   /// Kept out of the loop, whose registers it would take.
@@ -238,7 +238,7 @@ class ContactForces {
       const auto [a, b] = materials(lane);
       pair[lane] = a * static_cast<std::int32_t>(table.materials()) + b;
     }
-    return Parameters::from([&](int k) { return L::gather(table.table(k), pair); });
+    return parameters_from<Parameters>([&](int k) { return L::gather(table.table(k), pair); });
   }
 
   Normal normal_law_;

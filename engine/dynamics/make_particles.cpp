@@ -7,12 +7,6 @@
 
 namespace packstone::engine {
 
-namespace {
-
-constexpr double solid_sphere_inertia = 2.0 / 5.0;  ///< in m R^2
-
-}  // namespace
-
 Particles make_particles(const Scene& scene, const StartingState& start) {
   const std::size_t n = start.size();
   Particles p;
@@ -37,7 +31,7 @@ Particles make_particles(const Scene& scene, const StartingState& start) {
     p.now.rows[i] = {start.position[i], radius, start.velocity[i], 1 / mass};
     if (leads) p.half_velocity.set(i, start.velocity[i]);
     if (!p.turns()) continue;
-    p.inverse_inertia[i] = 1 / (solid_sphere_inertia * mass * radius * radius);
+    p.inverse_inertia[i] = 1 / sphere_inertia(mass, radius);
     p.now.spins[i].angular_velocity = start.angular_velocity[i];
     if (leads) p.half_angular_velocity.set(i, start.angular_velocity[i]);
   }

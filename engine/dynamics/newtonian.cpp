@@ -34,6 +34,12 @@ bool rotates(const Scene& scene) {
          std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.friction > 0; });
 }
 
+bool has_own_loop(const Scene& scene) {
+  const ContactSpec& c = scene.contact;
+  return (c.normal == NormalModel::linear || c.normal == NormalModel::hysteretic) &&
+         (!rotates(scene) || c.tangential == TangentialModel::cundall_strack) && !c.van_der_waals.present;
+}
+
 std::vector<Plane> make_planes(const Scene& scene) {
   std::vector<Plane> planes;
   for (const auto& b : scene.boundaries) {
@@ -44,22 +50,15 @@ std::vector<Plane> make_planes(const Scene& scene) {
 
 namespace {
 
-/// Laws with loops of their own; the others share one.
 template <class Precision>
 std::unique_ptr<Dynamics> newtonian_in(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  const ContactSpec& contact = scene.contact;
-  const bool own_tangential = !rotates(scene) || contact.tangential == TangentialModel::cundall_strack;
-  if (own_tangential && !contact.van_der_waals.present) {
-    if (contact.normal == NormalModel::hysteretic) {
-      return newtonian_with<Hysteretic, CundallStrack, Precision>(scene, domain, planes);
-    }
-    if (contact.normal == NormalModel::linear) {
-      return contact.release == Release::zero_force
-                 ? newtonian_with<Linear<Release::zero_force>, CundallStrack, Precision>(scene, domain, planes)
-                 : newtonian_with<Linear<Release::zero_overlap>, CundallStrack, Precision>(scene, domain, planes);
-    }
+  if (!has_own_loop(scene)) return newtonian_with<ChosenNormal, ChosenTangential, Precision>(scene, domain, planes);
+  if (scene.contact.normal == NormalModel::hysteretic) {
+    return newtonian_with<Hysteretic, CundallStrack, Precision>(scene, domain, planes);
   }
-  return newtonian_with<ChosenNormal, ChosenTangential, Precision>(scene, domain, planes);
+  return scene.contact.release == Release::zero_force
+             ? newtonian_with<Linear<Release::zero_force>, CundallStrack, Precision>(scene, domain, planes)
+             : newtonian_with<Linear<Release::zero_overlap>, CundallStrack, Precision>(scene, domain, planes);
 }
 
 }  // namespace

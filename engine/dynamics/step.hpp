@@ -89,6 +89,9 @@ std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domai
 /// Whether particles turn: only friction turns a sphere.
 bool rotates(const Scene& scene);
 
+/// Whether the scene's laws are compiled into a loop of their own; the others share one.
+bool has_own_loop(const Scene& scene);
+
 /// Planes of the scene's boundaries.
 std::vector<Plane> make_planes(const Scene& scene);
 

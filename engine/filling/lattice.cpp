@@ -85,9 +85,7 @@ StartingState lattice_particles(const Scene& scene, const Domain& domain, const 
   std::vector<std::size_t> order(start.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   Random random(static_cast<std::uint64_t>(scene.seed), RandomStream::filling_order, 0);
-  for (std::size_t k = order.size(); k > 1; --k) {
-    std::swap(order[k - 1], order[random.below(static_cast<std::uint32_t>(k))]);
-  }
+  shuffle(order, random);
   for (std::size_t k = 0; k < order.size(); ++k) start.position[order[k]] = domain.wrapped(sites[k]);
   return start;
 }
