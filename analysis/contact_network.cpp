@@ -45,7 +45,7 @@ ContactNetwork rebuilt(const Snapshot& snapshot) {
   network.pairs = near_pairs(snapshot.position, snapshot.radius, snapshot.domain);
   for (std::size_t k = 0; k < snapshot.boundaries.size(); ++k) {
     const BoundaryRecord& plane = snapshot.boundaries[k];
-    if (plane.kind != "plane") continue;
+    if (plane.kind != "plane" || plane.normal.isZero(0)) continue;  // or not there at the time
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
       const double overlap = snapshot.radius[i] - plane.normal.dot(snapshot.position[i] - plane.point);
       if (overlap > 0) network.walls.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), overlap});

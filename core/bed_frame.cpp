@@ -10,18 +10,28 @@ namespace packstone {
 
 namespace {
 
-constexpr double upright = 1 - 1e-9;  // least component along up of a floor's normal
+constexpr double upright = 1 - 1e-9;  // least component along up of a floor's normal, or of an axis
 
 double floor_coordinate(const Snapshot& snapshot, int axis, double sign) {
   double highest = sign > 0 ? snapshot.domain.min[axis] : -snapshot.domain.max[axis];
   bool found = false;
   for (const auto& boundary : snapshot.boundaries) {
-    if (boundary.kind != "plane" || sign * boundary.normal[axis] < upright) continue;
+    if (!(sign * boundary.normal[axis] >= upright)) continue;
     const double height = sign * boundary.point[axis];
     highest = found ? std::max(highest, height) : height;
     found = true;
   }
   return sign * highest;
+}
+
+double smallest_cross_section(const Snapshot& snapshot, int axis) {
+  const Vec3 size = snapshot.domain.size();
+  double area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
+  for (const auto& boundary : snapshot.boundaries) {
+    const bool along_up = std::abs(boundary.axis[axis]) >= upright;
+    if (along_up && boundary.cross_section > 0) area = std::min(area, boundary.cross_section);
+  }
+  return area;
 }
 
 }  // namespace
@@ -38,7 +48,7 @@ BedFrame bed_frame(const Snapshot& snapshot) {
   frame.sign = snapshot.gravity[frame.axis] > 0 ? -1 : 1;
 
   const Vec3 size = snapshot.domain.size();
-  frame.area = size[(frame.axis + 1) % 3] * size[(frame.axis + 2) % 3];
+  frame.area = smallest_cross_section(snapshot, frame.axis);
   frame.extent = size[frame.axis];
   if (!(size.minCoeff() > 0) || !size.allFinite()) {
     throw InputError("the domain is " + std::to_string(size.x()) + " x " + std::to_string(size.y()) + " x " +

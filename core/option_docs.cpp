@@ -64,6 +64,12 @@ class OptionDocumenter : public OptionVisitor {
   void numbers(const OptionInfo& info, std::vector<double>&) override {
     add(info, "list of numbers", info.range.text(), "", Presence::has_default);
   }
+  void texts(const OptionInfo& info, std::vector<std::string>&) override {
+    add(info, "list of texts", "", "", Presence::has_default);
+  }
+  void polygons(const OptionInfo& info, std::vector<std::vector<Vec3>>&) override {
+    add(info, "list of lists of three numbers", "", "", Presence::has_default);
+  }
   void number_or_table(const OptionInfo& info, std::optional<double>&, bool&,
                        const std::function<void()>& describe) override {
     add(info, "number or table", info.range.text(), "", Presence::has_default);

@@ -67,6 +67,10 @@ class OptionVisitor {
   virtual void number_or(const OptionInfo& info, const char* word, std::optional<double>& value) = 0;
   /// A list of numbers.
   virtual void numbers(const OptionInfo& info, std::vector<double>& value) = 0;
+  /// A list of texts.
+  virtual void texts(const OptionInfo& info, std::vector<std::string>& value) = 0;
+  /// A list of polygons, each a list of its corners.
+  virtual void polygons(const OptionInfo& info, std::vector<std::vector<Vec3>>& value) = 0;
   /// A number, or a table [key] in its place; is_table says which. Last of the keys of its own table.
   virtual void number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
                                const std::function<void()>& describe) = 0;

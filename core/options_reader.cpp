@@ -297,6 +297,34 @@ void OptionReader::numbers(const OptionInfo& info, std::vector<double>& value) {
   for (const auto& entry : *array) value.push_back(impl_->number(info, path, entry));
 }
 
+void OptionReader::texts(const OptionInfo& info, std::vector<std::string>& value) {
+  const auto* node = impl_->find(info);
+  if (!node) return;
+  const auto* array = node->as_array();
+  if (!array) impl_->fail(impl_->path_of(info.key), "expected a list of texts in quotes");
+  value.clear();
+  for (const auto& entry : *array) value.push_back(impl_->text(info, entry));
+}
+
+void OptionReader::polygons(const OptionInfo& info, std::vector<std::vector<Vec3>>& value) {
+  const auto* node = impl_->find(info);
+  if (!node) return;
+  const auto fail = [&] {
+    impl_->fail(impl_->path_of(info.key),
+                "expected a list of polygons, each a list of corners: "
+                "[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]");
+  };
+  const auto* list = node->as_array();
+  if (!list) fail();
+  value.clear();
+  for (const auto& entry : *list) {
+    const auto* corners = entry.as_array();
+    if (!corners) fail();
+    value.emplace_back();
+    for (const auto& corner : *corners) value.back().push_back(impl_->vector(info, corner));
+  }
+}
+
 void OptionReader::number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
                                    const std::function<void()>& describe) {
   const auto* node = impl_->find(info);

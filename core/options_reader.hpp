@@ -28,6 +28,8 @@ class OptionReader : public OptionVisitor {
   void vector(const OptionInfo& info, std::optional<Vec3>& value) override;
   void number_or(const OptionInfo& info, const char* word, std::optional<double>& value) override;
   void numbers(const OptionInfo& info, std::vector<double>& value) override;
+  void texts(const OptionInfo& info, std::vector<std::string>& value) override;
+  void polygons(const OptionInfo& info, std::vector<std::vector<Vec3>>& value) override;
   void number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
                        const std::function<void()>& describe) override;
   void choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) override;

@@ -69,6 +69,22 @@ void OptionWriter::numbers(const OptionInfo& info, std::vector<double>& value) {
   if (!value.empty()) line(info, fmt::format("[{}]", fmt::join(value, ", ")));
 }
 
+void OptionWriter::texts(const OptionInfo& info, std::vector<std::string>& value) {
+  std::vector<std::string> all;
+  for (const std::string& text : value) all.push_back(quoted(text));
+  if (!all.empty()) line(info, "[" + joined(all) + "]");
+}
+
+void OptionWriter::polygons(const OptionInfo& info, std::vector<std::vector<Vec3>>& value) {
+  std::vector<std::string> all;
+  for (const auto& polygon : value) {
+    std::vector<std::string> corners;
+    for (const Vec3& corner : polygon) corners.push_back(vector_text(corner));
+    all.push_back("[" + joined(corners) + "]");
+  }
+  if (!all.empty()) line(info, "[" + joined(all) + "]");
+}
+
 void OptionWriter::number_or_table(const OptionInfo& info, std::optional<double>& value, bool& is_table,
                                    const std::function<void()>& describe) {
   if (is_table) {

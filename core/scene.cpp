@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary_options.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/geometry.hpp"
@@ -213,14 +214,6 @@ void describe_filling(OptionVisitor& v, FillingSpec& f) {
          f.path);
 }
 
-void describe_boundary(OptionVisitor& v, BoundarySpec& b) {
-  v.text({"name", "Name in messages and tables"}, b.name, required);
-  v.choice({"kind", "Shape"}, {"plane"}, b.kind, required);
-  v.vector({"point", "A point of the plane", unit::metre}, b.point, required);
-  v.vector({"normal", "Direction from the wall to the particles' side; any length"}, b.normal, required);
-  v.text({"material", "Name of a [[material]]; the first one unless given"}, b.material, has_default);
-}
-
 void describe_output(OptionVisitor& v, OutputSpec& o) {
   v.number({"interval", "Time between snapshots", unit::second, Range::positive()}, o.interval, required);
   v.choices({"fields", "Particle quantities to write beside position, radius, id, type and material"}, output_fields,
@@ -249,15 +242,23 @@ void fill_defaults(Scene& s) {
   }
   for (auto& boundary : s.boundaries) {
     if (boundary.material.empty()) boundary.material = s.materials.front().name;
+    fill_defaults(boundary);
   }
 }
 
-/// From the root, so that the run folder's copy of the scene finds the file too.
-void complete_path(Scene& s, const std::filesystem::path& folder) {
-  if (!s.filling.path) return;
-  const bool overridden = s.locations.at("filling.path").starts_with("--set");
-  const std::filesystem::path base = overridden ? std::filesystem::current_path() : folder;
-  s.filling.path = (base / *s.filling.path).lexically_normal().string();
+/// From the root, so that the run folder's copy of the scene finds the files too.
+void complete_paths(Scene& s, const std::filesystem::path& folder) {
+  const auto complete = [&](const std::string& key, std::optional<std::string>& path) {
+    if (!path) return;
+    const bool overridden = s.locations.at(key).starts_with("--set");
+    const std::filesystem::path base = overridden ? std::filesystem::current_path() : folder;
+    path = (base / *path).lexically_normal().string();
+  };
+  complete("filling.path", s.filling.path);
+  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
+    complete(fmt::format("boundary[{}].path", k), s.boundaries[k].path);
+    complete(fmt::format("boundary[{}].grid", k), s.boundaries[k].grid);
+  }
 }
 
 Scene parse_scene_in(const std::filesystem::path& folder, const std::string& text, const std::string& source_name,
@@ -267,7 +268,7 @@ Scene parse_scene_in(const std::filesystem::path& folder, const std::string& tex
   describe(reader, scene);
   reader.finish();
   fill_defaults(scene);
-  complete_path(scene, folder);
+  complete_paths(scene, folder);
   check(scene);
   return scene;
 }

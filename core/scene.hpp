@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/boundary_spec.hpp"
 #include "core/domain.hpp"
 #include "core/options.hpp"
 #include "core/size_distribution.hpp"
@@ -24,7 +25,6 @@ inline bool is_hertzian(NormalModel law) { return law == NormalModel::hertz || l
 enum class Release { zero_overlap, zero_force };
 enum class FillingKind { growth, lattice, random, file };
 enum class Lattice { cubic, bcc, fcc, hcp };
-enum class BoundaryKind { plane };
 
 /// Faces of the domain through which particles may leave and come back.
 enum Face { x_min, x_max, y_min, y_max, z_min, z_max, face_count };
@@ -110,14 +110,6 @@ struct FillingSpec {
 
   /// When all particles have their full size [s].
   double over() const { return duration.value_or(0); }
-};
-
-struct BoundarySpec {
-  std::string name;
-  BoundaryKind kind = BoundaryKind::plane;
-  Vec3 point = Vec3::Zero();    ///< [m]
-  Vec3 normal = Vec3::UnitZ();  ///< to the particles' side
-  std::string material;         ///< the first material unless given
 };
 
 struct OutputSpec {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary_options.hpp"
 #include "core/text.hpp"
 
 namespace packstone {
@@ -34,20 +35,6 @@ void check_names(const Scene& s) {
   }
   for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
     check(fmt::format("boundary[{}].material", k), s.boundaries[k].material);
-    if (s.boundaries[k].normal.norm() == 0) s.fail(fmt::format("boundary[{}].normal", k), "has no length");
-  }
-}
-
-/// A wall that leans towards a periodic side would stand elsewhere in every image.
-void check_walls(const Scene& s) {
-  const Domain box = s.box();
-  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!box.periodic[axis] || s.boundaries[k].normal[axis] == 0) continue;
-      s.fail(fmt::format("boundary[{}].normal", k),
-             fmt::format("has a component along {}, which is periodic; make the axis not periodic, or the component 0",
-                         axes[axis]));
-    }
   }
 }
 
@@ -134,7 +121,7 @@ void check(const Scene& scene) {
   check_materials(scene);
   check_filling(scene);
   check_domain(scene);
-  check_walls(scene);
+  check_boundaries(scene);
 }
 
 }  // namespace packstone

@@ -128,22 +128,46 @@ void write_contacts(hdf5::Writer& file, const Contacts& c) {
   }
 }
 
-void write_context(hdf5::Writer& file, const Snapshot& s) {
-  std::vector<std::string> names, kinds, group_names, group_materials;
-  std::vector<double> densities;
-  std::vector<Vec3> points, normals;
-  for (const auto& boundary : s.boundaries) {
+void write_boundaries(hdf5::Writer& file, const std::vector<BoundaryRecord>& boundaries) {
+  std::vector<std::string> names, kinds;
+  std::vector<Vec3> points, normals, axes, surface_points;
+  std::vector<double> cross_sections;
+  std::vector<std::uint8_t> one_sided;
+  std::vector<std::int32_t> corners;
+  std::vector<std::int64_t> first_point = {0}, first_triangle = {0};
+  for (const auto& boundary : boundaries) {
     names.push_back(boundary.name);
     kinds.push_back(boundary.kind);
     points.push_back(boundary.point);
     normals.push_back(boundary.normal);
+    axes.push_back(boundary.axis);
+    cross_sections.push_back(boundary.cross_section);
+    one_sided.push_back(boundary.one_sided ? 1 : 0);
+    surface_points.insert(surface_points.end(), boundary.points.begin(), boundary.points.end());
+    for (const auto& triangle : boundary.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    first_point.push_back(static_cast<std::int64_t>(surface_points.size()));
+    first_triangle.push_back(static_cast<std::int64_t>(corners.size() / 3));
   }
   file.group("/boundaries");
   file.texts("/boundaries/name", names);
   file.texts("/boundaries/kind", kinds);
   file.dataset("/boundaries/point", flat(points), 3);
   file.dataset("/boundaries/normal", flat(normals), 3);
+  file.dataset("/boundaries/axis", flat(axes), 3);
+  file.dataset("/boundaries/cross_section", cross_sections);
+  file.dataset("/boundaries/one_sided", one_sided);
+  file.dataset("/boundaries/surface_points", flat(surface_points), 3);
+  file.dataset("/boundaries/surface_triangles", corners, 3);
+  file.dataset("/boundaries/surface_first_point", first_point);
+  file.dataset("/boundaries/surface_first_triangle", first_triangle);
+  for (const auto& [name, unit] : {std::pair{"point", "m"}, {"cross_section", "m2"}, {"surface_points", "m"}}) {
+    file.text_attribute(std::string("/boundaries/") + name, "unit", unit);
+  }
+}
 
+void write_context(hdf5::Writer& file, const Snapshot& s) {
+  std::vector<std::string> group_names, group_materials;
+  std::vector<double> densities;
   for (const auto& group : s.groups) {
     group_names.push_back(group.name);
     group_materials.push_back(group.material);
@@ -198,14 +222,69 @@ Contacts read_contacts(const hdf5::Reader& file) {
   return c;
 }
 
-void read_context(const hdf5::Reader& file, Snapshot& s) {
-  const auto names = file.texts("/boundaries/name");
-  const auto kinds = file.texts("/boundaries/kind");
-  const auto points = vectors(file.dataset<double>("/boundaries/point", 3, 0, names.size()));
-  const auto normals = vectors(file.dataset<double>("/boundaries/normal", 3, 0, names.size()));
-  if (kinds.size() != names.size()) file.fail("/boundaries: name and kind differ in length");
-  for (std::size_t k = 0; k < names.size(); ++k) s.boundaries.push_back({names[k], kinds[k], points[k], normals[k]});
+/// Where each of count boundaries begins among the rows of a dataset, and where the last ends.
+std::vector<std::size_t> read_offsets(const hdf5::Reader& file, const std::string& name, std::size_t count,
+                                      std::size_t rows) {
+  const auto offsets = file.dataset<std::int64_t>(name, 1, 0, count + 1);
+  if (offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(rows) ||
+      !std::is_sorted(offsets.begin(), offsets.end())) {
+    file.fail(name + " does not ascend from 0 to the number of rows");
+  }
+  return {offsets.begin(), offsets.end()};
+}
 
+void read_surfaces(const hdf5::Reader& file, std::vector<BoundaryRecord>& boundaries) {
+  const auto points = vectors(file.dataset<double>("/boundaries/surface_points", 3));
+  const auto corners = file.dataset<std::int32_t>("/boundaries/surface_triangles", 3);
+  const auto first_point = read_offsets(file, "/boundaries/surface_first_point", boundaries.size(), points.size());
+  const auto first_triangle =
+      read_offsets(file, "/boundaries/surface_first_triangle", boundaries.size(), corners.size() / 3);
+  if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); })) {
+    file.fail("/boundaries/surface_points holds what is not a number");
+  }
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    BoundaryRecord& boundary = boundaries[k];
+    boundary.points.assign(points.begin() + static_cast<std::ptrdiff_t>(first_point[k]),
+                           points.begin() + static_cast<std::ptrdiff_t>(first_point[k + 1]));
+    for (std::size_t t = first_triangle[k]; t < first_triangle[k + 1]; ++t) {
+      const std::array triangle = {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
+      const auto [low, high] = std::minmax_element(triangle.begin(), triangle.end());
+      if (*low < 0 || static_cast<std::size_t>(*high) >= boundary.points.size()) {
+        file.fail("/boundaries/surface_triangles refers to a point that boundary " + std::to_string(k) +
+                  " does not have");
+      }
+      boundary.triangles.push_back(triangle);
+    }
+  }
+}
+
+void read_boundaries(const hdf5::Reader& file, std::vector<BoundaryRecord>& boundaries) {
+  const auto names = file.texts("/boundaries/name");
+  const std::size_t count = names.size();
+  const auto kinds = file.texts("/boundaries/kind");
+  if (kinds.size() != count) file.fail("/boundaries: name and kind differ in length");
+  const auto points = vectors(file.dataset<double>("/boundaries/point", 3, 0, count));
+  const auto normals = vectors(file.dataset<double>("/boundaries/normal", 3, 0, count));
+  boundaries.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    boundaries[k].name = names[k];
+    boundaries[k].kind = kinds[k];
+    boundaries[k].point = points[k];
+    boundaries[k].normal = normals[k];
+  }
+  if (!file.has("/boundaries/axis")) return;  // the first files knew planes only
+  const auto axes = vectors(file.dataset<double>("/boundaries/axis", 3, 0, count));
+  const auto cross_sections = file.dataset<double>("/boundaries/cross_section", 1, 0, count);
+  const auto one_sided = file.dataset<std::uint8_t>("/boundaries/one_sided", 1, 0, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    boundaries[k].axis = axes[k];
+    boundaries[k].cross_section = cross_sections[k];
+    boundaries[k].one_sided = one_sided[k] != 0;
+  }
+  read_surfaces(file, boundaries);
+}
+
+void read_context(const hdf5::Reader& file, Snapshot& s) {
   s.scene_text = file.text("/scene/text");
   s.scene_hash = file.text("/scene/hash");
   s.material_names = file.texts("/scene/material_name");
@@ -313,6 +392,7 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot)
   hdf5::Writer file(temporary_name(path));
   write_vtk_part(file, snapshot, order);
   if (snapshot.contacts) write_contacts(file, *snapshot.contacts);
+  write_boundaries(file, snapshot.boundaries);
   write_context(file, snapshot);
   write_header(file, snapshot, order);
   file.finish();
@@ -328,6 +408,7 @@ Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& opt
               std::to_string(format_version));
   }
   Snapshot s;
+  read_boundaries(file, s.boundaries);
   read_context(file, s);
   s.time = file.dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
   s.step = file.dataset<std::int64_t>("/VTKHDF/FieldData/step", 1, 0, 1).front();

@@ -2,6 +2,7 @@
 // docs/format.md describes the file dataset by dataset.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -35,12 +36,18 @@ struct Contacts {
   void append(const Contacts& more);
 };
 
-/// A plane wall as the snapshot records it: enough to draw it and to measure against it.
+/// A boundary as the snapshot records it, where it stands at that time: enough to draw it and to measure against it.
 struct BoundaryRecord {
   std::string name;
-  std::string kind;             ///< "plane"
-  Vec3 point = Vec3::Zero();    ///< a point of the plane [m]
-  Vec3 normal = Vec3::UnitZ();  ///< unit vector to the side of the particles
+  std::string kind;            ///< as in the scene: "plane", "cylinder", ...
+  Vec3 point = Vec3::Zero();   ///< of the plane, or of the flat floor the boundary has [m]
+  Vec3 normal = Vec3::Zero();  ///< unit vector of that plane or floor to the particles' side; 0 where there is none
+  Vec3 axis = Vec3::Zero();    ///< unit vector across which cross_section is measured; 0 where it encloses nothing
+  double cross_section = 0;    ///< that the boundary encloses [m2]
+  bool one_sided = true;       ///< particles are only where the triangles' normals point to
+  std::vector<Vec3> points{};  ///< of its surface [m]; none of a plane, which has no end
+  /// Corners, indices into points, in order around the normal.
+  std::vector<std::array<std::int32_t, 3>> triangles{};
 };
 
 /// What a [[particles]] entry of the scene says about its particles.

@@ -15,6 +15,9 @@ constexpr const char* face_names[face_count] = {"x-", "x+", "y-", "y+", "z-", "z
 
 constexpr double account_share = 0.1;  ///< of the energy put in: an account further off than this is worth a warning
 
+/// Share of a radius that a particle, or a boundary beside the smallest, may go in one step.
+constexpr double longest_step = 0.5;
+
 std::string place(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p[0], p[1], p[2]); }
 
 std::string particle(const Scene& scene, const Particles& particles, std::size_t slot) {
@@ -56,6 +59,14 @@ void Monitor::check_positions(const Particles& particles, double time) const {
       throw RunError(fmt::format("t = {:.6g} s: the position of {} is not a number; {}", time,
                                  particle(scene_, particles, slot), step_advice()));
     }
+    const Row& row = particles.now.rows[slot];
+    if (row.velocity.norm() * dt_ > longest_step * row.radius) {
+      throw RunError(
+          fmt::format("t = {:.6g} s: {} moves {:.3g} m in one step, more than {:g} of its radius, and could go "
+                      "through a boundary; its speed is {:.3g} m/s: {}",
+                      time, particle(scene_, particles, slot), row.velocity.norm() * dt_, longest_step,
+                      row.velocity.norm(), step_advice()));
+    }
     for (int axis = 0; axis < 3; ++axis) {
       if (domain_.periodic[axis]) continue;
       for (const int face : {2 * axis, 2 * axis + 1}) {
@@ -96,12 +107,25 @@ void Monitor::check_overlap(const StepSums& sums, const Particles& particles, do
       100 * scene_.monitor.overlap_limit, overlap_advice(time)));
 }
 
+void Monitor::check_boundaries(const Boundaries& boundaries, double smallest_radius, double time) const {
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    const Boundaries::Body& body = boundaries[k];
+    const double most = longest_step * smallest_radius;
+    if (!body.present || body.speed * dt_ <= most) continue;
+    throw RunError(fmt::format(
+        "t = {:.6g} s: boundary {} moves {:.3g} m in one step, more than {:g} of the smallest "
+        "radius, {:.3g} m, and could go through particles; slow it down, or take a time step of "
+        "{:.3g} us or less",
+        time, scene_.boundaries[k].name, body.speed * dt_, longest_step, smallest_radius, 1e6 * most / body.speed));
+  }
+}
+
 void Monitor::check_energy(const EnergyAccount& account, double time) {
   if (!std::isfinite(account.error())) {
     throw RunError(fmt::format("t = {:.6g} s: the energy is not a number; {}", time, step_advice()));
   }
-  largest_input_ =
-      std::max(largest_input_, account.starting + std::abs(account.growth_work) + std::abs(account.gravity_work));
+  largest_input_ = std::max(largest_input_, account.starting + std::abs(account.growth_work) +
+                                                std::abs(account.gravity_work) + std::abs(account.wall_work));
   const double unfed = account.mechanical() - account.input();  // dissipation can only lower it
   lowest_unfed_ = std::min(lowest_unfed_, unfed);
   if (unfed - lowest_unfed_ > scene_.monitor.energy_tolerance * largest_input_) {

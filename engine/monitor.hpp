@@ -20,10 +20,11 @@ struct EnergyAccount {
   double dissipated_tangential = 0;
   double growth_work = 0;
   double gravity_work = 0;
+  double wall_work = 0;  ///< of moving boundaries
 
   double mechanical() const { return kinetic + elastic + attractive; }
   double dissipated() const { return dissipated_normal + dissipated_tangential; }
-  double input() const { return starting + growth_work + gravity_work; }
+  double input() const { return starting + growth_work + gravity_work + wall_work; }
   /// What nothing accounts for; 0 in exact arithmetic with an infinitely small step.
   double error() const { return mechanical() + dissipated() - input(); }
 };
@@ -34,14 +35,18 @@ class Monitor {
   Monitor(const Scene& scene, const Domain& domain, double dt, double recommended_dt)
       : scene_(scene), domain_(domain), dt_(dt), recommended_dt_(recommended_dt) {}
 
-  /// Every position is a number and inside the domain, but for open faces. Throws RunError naming the particle.
+  /// Every position is a number and inside the domain, but for open faces, and nothing goes so far in a step that it
+  /// could go through a boundary. Throws RunError naming the particle.
   void check_positions(const Particles& particles, double time) const;
 
   /// Throws RunError naming the pair when a contact was beyond the overlap limit.
   void check_overlap(const StepSums& sums, const Particles& particles, double time) const;
 
-  /// Kinetic and elastic energy must not rise unless growth or gravity puts it in or the particles came with it. Throws
-  /// RunError.
+  /// No boundary may go so far in a step that it could go through particles. Throws RunError.
+  void check_boundaries(const Boundaries& boundaries, double smallest_radius, double time) const;
+
+  /// Kinetic and elastic energy must not rise unless growth, gravity or a boundary puts it in or the particles came
+  /// with it. Throws RunError.
   void check_energy(const EnergyAccount& account, double time);
 
   /// At the end: warns when the account does not close.

@@ -66,18 +66,21 @@ Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene) : Simulation(scene, fill(scene, scene.box(), make_planes(scene))) {}
+Simulation::Simulation(const Scene& scene) : Simulation(scene, Boundaries(scene, scene.box())) {}
 
-Simulation::Simulation(const Scene& scene, const StartingState& start)
+Simulation::Simulation(const Scene& scene, Boundaries&& boundaries)
+    : Simulation(scene, std::move(boundaries), fill(scene, scene.box(), boundaries)) {}
+
+Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, const StartingState& start)
     : population_(population_of(scene, start)),
       limit_(engine::step_limit(scene, population_)),
       dt_(checked_time_step(scene, limit_, warnings_)),
       scene_(with_choices_made(scene, dt_, limit_)),
       domain_(scene.box()),
       filling_hash_(start.source_hash),
-      planes_(make_planes(scene)),
+      boundaries_(std::move(boundaries)),
       particles_(make_particles(scene_, start)),
-      dynamics_(make_newtonian(scene, domain_, planes_)),
+      dynamics_(make_newtonian(scene, domain_, boundaries_)),
       monitor_(scene_, domain_, dt_, limit_.recommended) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
   warn_of_lost_weight(scene, population_, warnings_);
@@ -113,6 +116,7 @@ void Simulation::account(const StepSums& sums, double share) {
   account_.dissipated_normal += share * sums.dissipated_normal;
   account_.dissipated_tangential += share * sums.dissipated_tangential;
   account_.growth_work += share * sums.growth_work;
+  account_.wall_work += share * sums.wall_work;
 }
 
 StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
@@ -121,7 +125,9 @@ StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit, 0.0};
   if (scene_.dynamics.contact_velocity == ContactVelocity::step) input.velocity_lead = 0.5 * dt_;
   if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
-  if (dynamics_->neighbours().outdated(input.growth)) {
+  boundaries_.go_to(time, dt_, input.velocity_lead);
+  monitor_.check_boundaries(boundaries_, smallest_radius(population_), time);
+  if (dynamics_->outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
     const Stopwatch list_clock;
     dynamics_->rebuild(particles_, input.growth, dt_);
@@ -130,6 +136,7 @@ StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   const StepSums sums = dynamics_->advance(particles_, input, recorder);
   loop_seconds_ += clock.seconds();
   monitor_.check_overlap(sums, particles_, time);
+  boundaries_.push(dynamics_->wall_loads(), input.gravity, time, dt_);
   return sums;
 }
 
@@ -205,9 +212,7 @@ Snapshot Simulation::geometry(std::int64_t number) const {
     s.position[particles_.id[slot]] = domain_.wrapped(row.position);
     s.radius[particles_.id[slot]] = scale * row.radius;
   }
-  for (std::size_t k = 0; k < planes_.size(); ++k) {
-    s.boundaries.push_back({scene_.boundaries[k].name, "plane", planes_[k].point, planes_[k].normal});
-  }
+  s.boundaries = boundaries_.records();
   return s;
 }
 

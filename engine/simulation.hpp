@@ -57,8 +57,9 @@ class Simulation {
   std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
 
  private:
+  Simulation(const Scene& scene, Boundaries&& boundaries);
   /// The start is needed no longer than here: the particles take over.
-  Simulation(const Scene& scene, const StartingState& start);
+  Simulation(const Scene& scene, Boundaries&& boundaries, const StartingState& start);
 
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   std::int64_t steps_in(double interval) const;
@@ -80,7 +81,7 @@ class Simulation {
   std::string scene_text_;
   std::string scene_hash_;
   std::string filling_hash_;
-  std::vector<Plane> planes_;
+  Boundaries boundaries_;
   std::int64_t steps_ = 0;
   std::int64_t steps_done_ = 0;
   double loop_seconds_ = 0;

@@ -6,18 +6,21 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTubeFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "viz/surface.hpp"
 
 namespace packstone::viz {
 
 namespace {
 
-constexpr Colour wall_edge = {110, 110, 110};
 constexpr double dash = 0.014;  ///< of the domain's longest side
 constexpr double gap = 0.010;
 
@@ -105,6 +108,67 @@ class Plates {
   vtkNew<vtkPolyDataMapper> mapper_;
 };
 
+/// plate_fill in the light from over the viewer's left shoulder that the spheres have, softened so that it reaches
+/// round.
+Colour shaded(const Vec3& normal, const Camera& camera) {
+  const Vec3 key(-0.48, 0.69, 0.55);  // to the right, up, to the viewer
+  constexpr double least = 0.74;
+  constexpr double most = 1.02;  // of which a floor, seen from above at an angle, has 1
+  double along = 0;
+  for (int k = 0; k < 3; ++k) along += key[k] * camera.axes()[k].dot(normal);
+  const double light = least + (most - least) * (1 + along) / 2;
+  const auto tone = [&](std::uint8_t full) { return static_cast<std::uint8_t>(std::lround(light * full)); };
+  return {tone(plate_fill.r), tone(plate_fill.g), tone(plate_fill.b)};
+}
+
+/// Triangles with a colour at every corner.
+class Faces {
+ public:
+  Faces() {
+    mapper_->SetInputData(data_);
+    actor->SetMapper(mapper_);
+    actor->GetProperty()->LightingOff();
+  }
+
+  void clear() {
+    data_->Initialize();
+    colours_->Initialize();
+    colours_->SetNumberOfComponents(3);
+    data_->SetPoints(vtkNew<vtkPoints>());
+    data_->SetPolys(vtkNew<vtkCellArray>());
+    data_->GetPointData()->SetScalars(colours_);
+  }
+
+  void add(const SeenSurface& surface, const Camera& camera) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      vtkIdType corners[3];
+      for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = data_->GetPoints()->InsertNextPoint(surface.points[surface.triangles[t][c]].data());
+        const Colour colour = shaded(surface.normals[t][c], camera);
+        const std::uint8_t rgb[] = {colour.r, colour.g, colour.b};
+        colours_->InsertNextTypedTuple(rgb);
+      }
+      data_->GetPolys()->InsertNextCell(3, corners);
+    }
+  }
+
+  void finish(const Camera& camera) {
+    // A little nearer than they are, so that they lie before plates in the same plane.
+    constexpr double step = 2e-4;
+    const Vec3 shift = step * camera.axes()[2];
+    actor->SetPosition(shift.x(), shift.y(), shift.z());
+    data_->Modified();
+    actor->SetVisibility(data_->GetNumberOfPolys() > 0);
+  }
+
+  vtkNew<vtkActor> actor;
+
+ private:
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkUnsignedCharArray> colours_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+};
+
 /// Calls visit(from corner, to corner, axis) for the twelve edges of box_corners.
 template <typename Visit>
 void for_each_edge(const Visit& visit) {
@@ -148,12 +212,24 @@ struct Container::Parts {
   Rods edges{faint_ink};
   Rods wall_edges{wall_edge};
   Plates plates;
+  Faces faces;
+
+  void add_plane(const BoundaryRecord& wall, const std::vector<Vec3>& ring, const Camera& camera) {
+    for (std::size_t i = 0; i < ring.size(); ++i) wall_edges.add(ring[i], ring[(i + 1) % ring.size()]);
+    if (!ring.empty() && camera.sees(ring.front(), wall.normal)) plates.add(ring);
+  }
+
+  void add_surface(const SeenSurface& surface, const Camera& camera) {
+    for (const auto& [from, to] : surface.lines) wall_edges.add(surface.points[from], surface.points[to]);
+    faces.add(surface, camera);
+  }
 };
 
 Container::Container(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
   renderer->AddActor(parts_->edges.actor);
   renderer->AddActor(parts_->wall_edges.actor);
   renderer->AddActor(parts_->plates.actor);
+  renderer->AddActor(parts_->faces.actor);
 }
 
 Container::~Container() = default;
@@ -176,22 +252,29 @@ void Container::update(const Snapshot& snapshot, const Vec3& centre, double scal
   });
   parts.wall_edges.clear();
   parts.plates.clear();
+  parts.faces.clear();
   for (const BoundaryRecord& wall : snapshot.boundaries) {
-    if (wall.kind != "plane") continue;
-    const std::vector<Vec3> ring = plane_in_box((wall.point - centre) * scale, wall.normal, min, max);
-    if (ring.empty()) continue;
-    for (std::size_t i = 0; i < ring.size(); ++i) parts.wall_edges.add(ring[i], ring[(i + 1) % ring.size()]);
-    if (camera.sees(ring.front(), wall.normal)) parts.plates.add(ring);
+    if (wall.kind == "plane") {
+      parts.add_plane(wall, plane_in_box((wall.point - centre) * scale, wall.normal, min, max), camera);
+    } else {
+      std::vector<Vec3> points;
+      points.reserve(wall.points.size());
+      for (const Vec3& p : wall.points) points.emplace_back((p - centre) * scale);
+      parts.add_surface(seen_surface(points, wall.triangles, wall.one_sided, camera), camera);
+    }
   }
   const double radius = line_width / 2 / camera.pixels_per_unit();
   parts.edges.finish(radius);
   constexpr double wall_weight = 1.5;  // thicker, so that it covers the box's own edge
   parts.wall_edges.finish(radius * wall_weight);
   parts.plates.finish();
+  parts.faces.finish(camera);
 }
 
 void Container::hide() {
-  for (vtkActor* actor : {parts_->edges.actor.Get(), parts_->wall_edges.actor.Get(), parts_->plates.actor.Get()}) {
+  Parts& parts = *parts_;
+  for (vtkActor* actor :
+       {parts.edges.actor.Get(), parts.wall_edges.actor.Get(), parts.plates.actor.Get(), parts.faces.actor.Get()}) {
     actor->SetVisibility(false);
   }
 }

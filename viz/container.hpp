@@ -1,4 +1,4 @@
-// The domain's box and the plane walls, as thin rods and plates.
+// The domain's box and its boundaries, as thin rods, plates and shaded surfaces.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,9 @@ class Container {
   ~Container();
 
   /// Periodic edges are dashed. A wall is a plate where the particles lie before it, an outline where it would hide
-  /// them. Positions p of the snapshot lie at (p - centre) * scale; lines are line_width pixels wide.
+  /// them; so is each triangle of a one-sided surface, while a two-sided one is drawn as a whole. What of a surface
+  /// lies outside the domain is drawn as well. Positions p of the snapshot lie at (p - centre) * scale; lines are
+  /// line_width pixels wide.
   void update(const Snapshot& snapshot, const Vec3& centre, double scale, const Camera& camera, double line_width);
   void hide();
 

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "viz/boundary_cut.hpp"
 #include "viz/drawing_painter.hpp"
 #include "viz/font.hpp"
 #include "viz/legend.hpp"
@@ -39,6 +40,7 @@ constexpr double title_size = 1.15;
 constexpr double line_height = 1.8;
 constexpr double scale_bar_room = 7;
 constexpr double outline_weight = 0.045;
+constexpr double wall_weight = 0.14;
 
 std::string plane_text(const SlicePlane& plane) {
   return fmt::format("{} = {}", axis_names[plane.axis], length_text(plane.position));
@@ -144,11 +146,19 @@ Drawing slice_drawing(const Snapshot& snapshot, const SlicePlane& plane, const S
   drawing.text({options.width / 2.0, margin * font}, options.title,
                {.size = title_size * font, .across = Side::middle, .along = Side::high, .bold = true});
   const Vec3& origin = snapshot.domain.min;
+  const auto pixel = [&](double u, double v) {
+    return Point{frame.box.left + (u - origin[axes.u]) / metres_per_pixel,
+                 frame.box.bottom - (v - origin[axes.v]) / metres_per_pixel};
+  };
   drawing.clip(frame.box);
+  for (const CutLine& line : boundary_cut(snapshot, plane)) {
+    std::vector<Point> points;
+    for (const auto& [u, v] : line) points.push_back(pixel(u, v));
+    if (line.front() == line.back()) points.push_back(points[1]);  // so that the ends meet in a corner
+    drawing.polyline(points, Stroke{wall_edge, wall_weight * font, {}});
+  }
   for (const Disc& disc : discs) {
-    const Point centre = {frame.box.left + (disc.u - origin[axes.u]) / metres_per_pixel,
-                          frame.box.bottom - (disc.v - origin[axes.v]) / metres_per_pixel};
-    drawing.disc(centre, disc.radius / metres_per_pixel, Fill{colouring.colours[disc.row]},
+    drawing.disc(pixel(disc.u, disc.v), disc.radius / metres_per_pixel, Fill{colouring.colours[disc.row]},
                  Stroke{ink, outline_weight * font, {}});
   }
   drawing.clip(std::nullopt);

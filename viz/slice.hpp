@@ -1,4 +1,5 @@
-// A plane cut through a packing, true to scale: the discs in which the plane cuts the spheres.
+// A plane cut through a packing, true to scale: the discs in which the plane cuts the spheres, the lines in which it
+// cuts the boundaries.
 #pragma once
 
 #include <cstddef>

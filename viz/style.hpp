@@ -18,6 +18,7 @@ inline constexpr Colour paper = {255, 255, 255};
 inline constexpr Colour ink = {34, 34, 34};            ///< text, axes
 inline constexpr Colour faint_ink = {150, 150, 150};   ///< periodic sides, grid
 inline constexpr Colour plate_fill = {232, 232, 232};  ///< walls that lie behind the particles
+inline constexpr Colour wall_edge = {110, 110, 110};   ///< walls in outline, and cut
 inline constexpr Colour no_value = {190, 190, 190};    ///< particles whose value is not a number
 
 /// Fill colour of a category, Okabe and Ito's set (https://jfly.uni-koeln.de/color/) in an order whose neighbours also

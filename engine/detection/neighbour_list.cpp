@@ -67,7 +67,12 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
                             static_cast<double>(std::max<std::size_t>(n, 1));
   displacement_.setZero();
   displacement_before_ = -dt * mean;
+  common_ = dt * mean.norm();
   const Margins margins = policy_.next(dt, mean_speed);
+  mean_velocity_ = mean;
+  mean_radius_ = sum_in_blocks<double>(n, 0.0, [&](std::size_t k) { return row(k).radius; }) /
+                 static_cast<double>(std::max<std::size_t>(n, 1));
+  life_ = margins.life;
   largest_scale_ = std::min(1.0, growth.scale + growth_lives * margins.life * growth.rate);
   double shortest_side = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -273,8 +278,10 @@ void NeighbourList::moved(double largest_share_squared, const Vec3& displacement
   ++steps_;
   dt_ = dt;
   used_squared_ = largest_share_squared;
+  const double expected = expected_displacement().norm();
   displacement_before_ = displacement_;
   displacement_ = displacement_sum / static_cast<double>(std::max<std::size_t>(particles_, 1));
+  common_ = std::max(expected, expected_displacement().norm());
 }
 
 bool NeighbourList::outdated(const Growth& growth) const {

@@ -70,6 +70,16 @@ class NeighbourList {
   /// 1/margin^2 of each slot, 0 of an empty one [1/m2].
   const AlignedVector<double>& inverse_margin_squared() const { return inverse_margin_squared_; }
 
+  /// Up to which common displacement, that of the coming step included, the margins hold [m].
+  double common_displacement() const { return common_; }
+
+  // What the list was built for.
+  double largest_scale() const { return largest_scale_; }       ///< of growing radii
+  double range() const { return range_; }                       ///< of attraction [m]
+  double planned_life() const { return life_; }                 ///< [s]
+  const Vec3& mean_velocity() const { return mean_velocity_; }  ///< of the particles [m/s]
+  double mean_radius() const { return mean_radius_; }           ///< [m]
+
   /// How often the list was built.
   std::int64_t builds() const { return builds_; }
 
@@ -110,6 +120,9 @@ class NeighbourList {
   double dt_ = 0;
   std::size_t particles_ = 0;
   Vec3 displacement_ = Vec3::Zero(), displacement_before_ = Vec3::Zero();
+  double common_ = 0;
+  double life_ = 0, mean_radius_ = 0;
+  Vec3 mean_velocity_ = Vec3::Zero();
 
   // While it is built: in the particles' order before, in the grid's order, by slot.
   VectorArray position_;

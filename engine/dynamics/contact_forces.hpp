@@ -32,8 +32,21 @@ struct Loads {
   simd::Vector<typename L::Real> force, torque;
 };
 
-/// Contacts of each lane with one body.
+/// How the normal of a contact turns as one particle goes round another.
 template <class L>
+struct TurnsRound {
+  using Vector = simd::Vector<typename L::Real>;
+  typename L::Real inverse_distance;  ///< of the centres [1/m]
+
+  /// The normal some time before [s], of n now; across: relative velocity across it.
+  [[gnu::always_inline]] Vector before(double lag, const Vector& across, const Vector& n) const {
+    using Real = typename L::Real;
+    return fused(Real(-lag) * inverse_distance, across, n);
+  }
+};
+
+/// Contacts of each lane with one body.
+template <class L, class Turning>
 struct Place {
   using Real = typename L::Real;
   typename L::Mask touching;
@@ -41,7 +54,7 @@ struct Place {
   const simd::Vector<Real>& separation;  ///< from the second body to the first
   Real inverse_distance;                 ///< 1/|separation|
   Real overlap;
-  Real turning;  ///< how fast the normal turns over the speed across it: 1/|separation|, 0 on a plane [1/m]
+  Turning turning;  ///< of the normal
 };
 
 /// One lane as a vector of numbers.
@@ -64,7 +77,8 @@ template <class Normal, class Tangential>
 class ContactForces {
  public:
   /// Whether contacts may keep anything from step to step.
-  static constexpr bool may_remember = Normal::most_kept + Tangential::most_kept > 0;
+  static constexpr int most_kept = Normal::most_kept + Tangential::most_kept;
+  static constexpr bool may_remember = most_kept > 0;
 
   ContactForces(const ContactSpec& contact, const std::vector<MaterialSpec>& materials)
       : normal_law_(made_law<Normal>(contact)),
@@ -111,8 +125,8 @@ class ContactForces {
   /// Adds the forces and torques of some contacts on the first bodies. who(lane): pair of ids, -1-k for boundary k;
   /// where(lane): the first body's position, for the record.
   /// Alike bodies do not grow; for them sums.deepest is the overlap itself.
-  template <bool record, bool alike, class L, class Number, class Who, class Where>
-  [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L>& at,
+  template <bool record, bool alike, class L, class Turning, class Number, class Who, class Where>
+  [[gnu::always_inline]] void add(const Bodies<L>& first, const Bodies<L>& second, const Place<L, Turning>& at,
                                   const Laws<L>& laws, ContactMemory<Number>& memory, std::int64_t row, const Who& who,
                                   const Where& where, const StepInput& in, Recorder* recorder, Loads<L>& loads,
                                   ContactSums<typename L::Real>& sums, BlockResult& result) const {
@@ -164,7 +178,7 @@ class ContactForces {
       // Velocities that lag go with the normal of their own instant: else rolling adds to springs what makes small
       // spheres stick between large ones (Vyas et al., Comput. Phys. Commun. 310 (2025) 109524).
       const simd::Vector<Real> across = fused(-approach, n, relative);
-      const simd::Vector<Real> normal_then = fused(Real(-in.velocity_lag()) * at.turning, across, n);
+      const simd::Vector<Real> normal_then = at.turning.before(in.velocity_lag(), across, n);
       const simd::Vector<Real> contact_velocity = relative - cross(spin, normal_then);
       const simd::Vector<Real> sliding_velocity = fused(-dot(contact_velocity, n), n, contact_velocity);
       const Slip<Real> slip{n, sliding_velocity, repulsion, at.overlap, in.dt};
@@ -226,7 +240,8 @@ class ContactForces {
   template <class L, class Law>
   [[gnu::always_inline]] auto common_parameters(const PairTable<Law>& table) const {
     using Real = typename L::Real;
-    return parameters_from<typename Law::template Parameters<Real>>([&](int k) { return Real(table.table(k)[pair_of_alike_]); });
+    return parameters_from<typename Law::template Parameters<Real>>(
+        [&](int k) { return Real(table.table(k)[pair_of_alike_]); });
   }
 
   /// Kept out of the loop, whose registers it would take.

@@ -10,8 +10,8 @@ namespace {
 
 /// Calls visit(id, memory, row, lane, partner) for each entry and wall of the group.
 template <class History, class Visit>
-void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t group_number, History& history,
-                      std::size_t boundaries, Visit&& visit) {
+void for_each_contact(const NeighbourList& list, const WallList& wall_list, const Particles& p,
+                      std::size_t group_number, History& history, Visit&& visit) {
   const NeighbourGroup& group = list.groups()[group_number];
   for (int lane = 0; lane < list.width(); ++lane) {
     const bool occupied = group.shared || (group.lanes >> lane & 1u) != 0;
@@ -22,11 +22,11 @@ void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t
       if (neighbour != p.nobody()) visit(id, history.pairs, row, lane, static_cast<std::int64_t>(p.id[neighbour]));
     }
     if (group.shared && lane > 0) continue;
-    for (std::size_t w = 0; w < boundaries; ++w) {
-      const int width = history.walls.width();
-      const auto group_row = static_cast<std::int64_t>(w * list.groups().size() + group_number);
-      const std::int64_t row = group_row * (list.width() / width) + lane / width;
-      visit(id, history.walls, row, lane % width, -1 - static_cast<std::int64_t>(w));
+    const int width = wall_list.width();
+    const WallSeat& seat = wall_list.seat(group_number, lane / width);
+    for (std::int64_t row = seat.first_row; row < seat.first_row + seat.rows; ++row) {
+      const WallEntry& entry = wall_list.row(row)[lane % width];
+      if (entry.there()) visit(id, history.walls, row, lane % width, -1 - wall_list.key(entry));
     }
   }
 }
@@ -34,8 +34,8 @@ void for_each_contact(const NeighbourList& list, const Particles& p, std::size_t
 }  // namespace
 
 template <class Number>
-StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Particles& p,
-                                             std::size_t boundaries) const {
+StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const WallList& wall_list,
+                                             const Particles& p) const {
   StoredContacts stored;
   stored.end.assign(p.size() + 1, 0);
   if (list.builds() == 0) return stored;
@@ -43,7 +43,7 @@ StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Pa
     const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
     for (std::ptrdiff_t g = 0; g < groups; ++g) {
-      for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
+      for_each_contact(list, wall_list, p, static_cast<std::size_t>(g), *this,
                        [&](std::int64_t id, const auto& memory, std::int64_t row, int lane, std::int64_t partner) {
                          if (memory.touched(row, lane)) visit(id, memory, row, lane, partner);
                        });
@@ -63,15 +63,14 @@ StoredContacts ContactHistory<Number>::store(const NeighbourList& list, const Pa
 }
 
 template <class Number>
-void ContactHistory<Number>::restore(const StoredContacts& stored, const NeighbourList& list, const Particles& p,
-                                     std::size_t boundaries, int wall_width) {
+void ContactHistory<Number>::restore(const StoredContacts& stored, const NeighbourList& list, const WallList& wall_list,
+                                     const Particles& p) {
   pairs.resize(list.rows(), list.width(), numbers);
-  const auto group_rows = static_cast<std::int64_t>(boundaries * list.groups().size());
-  walls.resize(group_rows * (list.width() / wall_width), wall_width, numbers);
+  walls.resize(wall_list.rows(), wall_list.width(), numbers);
   const auto groups = static_cast<std::ptrdiff_t>(list.groups().size());
 #pragma omp parallel for schedule(static) num_threads(useful_threads(p.size()))
   for (std::ptrdiff_t g = 0; g < groups; ++g) {
-    for_each_contact(list, p, static_cast<std::size_t>(g), *this, boundaries,
+    for_each_contact(list, wall_list, p, static_cast<std::size_t>(g), *this,
                      [&](std::int64_t id, auto& memory, std::int64_t row, int lane, std::int64_t partner) {
                        for (std::int64_t c = id == 0 ? 0 : stored.end[id - 1]; c < stored.end[id]; ++c) {
                          if (stored.partner[c] != partner) continue;

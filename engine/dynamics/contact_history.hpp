@@ -6,6 +6,7 @@
 
 #include "engine/aligned_vector.hpp"
 #include "engine/detection/neighbour_list.hpp"
+#include "engine/detection/wall_list.hpp"
 #include "engine/simd/vector.hpp"
 
 namespace packstone::engine {
@@ -52,6 +53,8 @@ class ContactMemory {
     const Number* const end = at + index(rows, all);
     for (; at < end; at += line) __builtin_prefetch(at, 1);
   }
+  /// One contact is over.
+  void forget(std::int64_t row, int lane) { touched_[row] = static_cast<std::uint16_t>(touched_[row] & ~(1u << lane)); }
   /// Nothing touches in this row.
   void none(std::int64_t row) {
     if (touched_[row] != 0) touched_[row] = 0;
@@ -81,7 +84,7 @@ class ContactMemory {
 /// What contacts that touch keep, by particle id, free of the list's layout.
 struct StoredContacts {
   std::vector<std::int64_t> end;      ///< of each particle's contacts, by id
-  std::vector<std::int64_t> partner;  ///< of each contact: id, or -1-k for boundary k
+  std::vector<std::int64_t> partner;  ///< of each contact: id, or -1-k for a piece of a boundary with the key k
   std::vector<double> numbers;        ///< (contacts, numbers of one)
 };
 
@@ -90,12 +93,11 @@ template <class Number>
 struct ContactHistory {
   int numbers = 0;              ///< that a contact keeps
   ContactMemory<Number> pairs;  ///< rows of the list
-  ContactMemory<double> walls;  ///< boundary by boundary, group by group, in rows of as many lanes as motion has
+  ContactMemory<double> walls;  ///< rows of the wall list
 
-  StoredContacts store(const NeighbourList& list, const Particles& particles, std::size_t boundaries) const;
-  /// wall_width: lanes of motion, which go into the list's a whole number of times.
-  void restore(const StoredContacts& stored, const NeighbourList& list, const Particles& particles,
-               std::size_t boundaries, int wall_width);
+  StoredContacts store(const NeighbourList& list, const WallList& wall_list, const Particles& particles) const;
+  void restore(const StoredContacts& stored, const NeighbourList& list, const WallList& wall_list,
+               const Particles& particles);
 };
 
 }  // namespace packstone::engine

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "engine/detection/neighbour_list.hpp"
+#include "engine/detection/wall_list.hpp"
 #include "engine/dynamics/contact_forces.hpp"
 #include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/particles.hpp"
@@ -16,9 +17,9 @@ namespace packstone::engine {
 
 /// Where some particles sit side by side, one a lane.
 struct Seats {
-  std::int32_t slot;      ///< of the first
-  std::uint32_t lanes;    ///< bits of those that hold a particle
-  std::int64_t wall_row;  ///< among a boundary's rows of contact history
+  std::int32_t slot;    ///< of the first
+  std::uint32_t lanes;  ///< bits of those that hold a particle
+  WallSeat walls;       ///< their rows of the wall list
 
   template <class Lanes>
   static constexpr std::uint32_t all = (1u << Lanes::width) - 1;

@@ -16,6 +16,7 @@ void StepSums::add(const StepSums& other) {
   dissipated_normal += other.dissipated_normal;
   dissipated_tangential += other.dissipated_tangential;
   growth_work += other.growth_work;
+  wall_work += other.wall_work;
   gravity_work += other.gravity_work;
   largest_share_squared = std::max(largest_share_squared, other.largest_share_squared);
   if (!offence) offence = other.offence;
@@ -40,33 +41,25 @@ bool has_own_loop(const Scene& scene) {
          (!rotates(scene) || c.tangential == TangentialModel::cundall_strack) && !c.van_der_waals.present;
 }
 
-std::vector<Plane> make_planes(const Scene& scene) {
-  std::vector<Plane> planes;
-  for (const auto& b : scene.boundaries) {
-    planes.push_back({b.point, b.normal.normalized(), static_cast<std::size_t>(scene.material_index(b.material))});
-  }
-  return planes;
-}
-
 namespace {
 
 template <class Precision>
-std::unique_ptr<Dynamics> newtonian_in(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
-  if (!has_own_loop(scene)) return newtonian_with<ChosenNormal, ChosenTangential, Precision>(scene, domain, planes);
+std::unique_ptr<Dynamics> newtonian_in(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
+  if (!has_own_loop(scene)) return newtonian_with<ChosenNormal, ChosenTangential, Precision>(scene, domain, boundaries);
   if (scene.contact.normal == NormalModel::hysteretic) {
-    return newtonian_with<Hysteretic, CundallStrack, Precision>(scene, domain, planes);
+    return newtonian_with<Hysteretic, CundallStrack, Precision>(scene, domain, boundaries);
   }
   return scene.contact.release == Release::zero_force
-             ? newtonian_with<Linear<Release::zero_force>, CundallStrack, Precision>(scene, domain, planes)
-             : newtonian_with<Linear<Release::zero_overlap>, CundallStrack, Precision>(scene, domain, planes);
+             ? newtonian_with<Linear<Release::zero_force>, CundallStrack, Precision>(scene, domain, boundaries)
+             : newtonian_with<Linear<Release::zero_overlap>, CundallStrack, Precision>(scene, domain, boundaries);
 }
 
 }  // namespace
 
-std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   return scene.dynamics.precision == Precision::mixed
-             ? newtonian_in<MixedPrecision<simd::WidestSingle>>(scene, domain, planes)
-             : newtonian_in<DoublePrecision<simd::Widest>>(scene, domain, planes);
+             ? newtonian_in<MixedPrecision<simd::WidestSingle>>(scene, domain, boundaries)
+             : newtonian_in<DoublePrecision<simd::Widest>>(scene, domain, boundaries);
 }
 
 }  // namespace packstone::engine

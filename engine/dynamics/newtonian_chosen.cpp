@@ -3,6 +3,6 @@
 namespace packstone::engine {
 
 template std::unique_ptr<Dynamics> newtonian_with<ChosenNormal, ChosenTangential, DoublePrecision<simd::Widest>>(
-    const Scene&, const Domain&, const std::vector<Plane>&);
+    const Scene&, const Domain&, const Boundaries&);
 
 }  // namespace packstone::engine

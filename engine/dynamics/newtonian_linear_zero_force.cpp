@@ -4,6 +4,6 @@ namespace packstone::engine {
 
 template std::unique_ptr<Dynamics>
 newtonian_with<Linear<Release::zero_force>, CundallStrack, DoublePrecision<simd::Widest>>(const Scene&, const Domain&,
-                                                                                          const std::vector<Plane>&);
+                                                                                          const Boundaries&);
 
 }  // namespace packstone::engine

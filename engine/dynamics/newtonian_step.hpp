@@ -8,12 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include <omp.h>
+
 #include "engine/dynamics/contact_forces.hpp"
 #include "engine/dynamics/contact_history.hpp"
 #include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/precision.hpp"
 #include "engine/dynamics/step.hpp"
+#include "engine/dynamics/wall_contacts.hpp"
 #include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
 
@@ -25,25 +28,34 @@ class NewtonianStep final : public Dynamics {
   using PairLanes = typename Precision::PairLanes;
 
  public:
-  NewtonianStep(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes)
+  NewtonianStep(const Scene& scene, const Domain& domain, const Boundaries& boundaries)
       : domain_(domain),
-        planes_(planes),
+        boundaries_(boundaries),
         forces_(scene.contact, scene.materials),
-        list_(domain, PairLanes::width, forces_.range()) {
+        list_(domain, PairLanes::width, forces_.range()),
+        walls_(boundaries, Lanes::width),
+        wall_loads_(boundaries.size()) {
     history_.numbers = forces_.kept();
   }
 
   const NeighbourList& neighbours() const override { return list_; }
+  const std::vector<WallLoad>& wall_loads() const override { return wall_loads_; }
+
+  bool outdated(const Growth& growth) const override { return list_.outdated(growth) || walls_.outdated(list_); }
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override {
     if (list_.builds() == 0) look_whether_alike(particles);
     if (remembers()) {
-      const StoredContacts stored = history_.store(list_, particles, planes_.size());
+      const StoredContacts stored = history_.store(list_, walls_, particles);
       list_.build(particles, growth, dt);
-      history_.restore(stored, list_, particles, planes_.size(), Lanes::width);
+      walls_.build(list_, particles, dt);
+      history_.restore(stored, list_, walls_, particles);
     } else {
       list_.build(particles, growth, dt);
+      walls_.build(list_, particles, dt);
     }
+    wall_contacts_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    block_loads_.resize(list_.blocks().size() * boundaries_.size());
     if constexpr (Precision::compact) particles.make_compact(period_of_places(), 0.5 * (domain_.min + domain_.max));
   }
 
@@ -84,6 +96,7 @@ class NewtonianStep final : public Dynamics {
   StepSums advance_all(Particles& particles, const StepInput& input, Recorder* recorder) {
     const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
     results_.resize(list_.blocks().size());
+    std::fill(block_loads_.begin(), block_loads_.end(), WallLoad{});
 #pragma omp parallel for schedule(dynamic) num_threads(useful_threads(particles.size()))
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       results_[b] = {};
@@ -97,6 +110,9 @@ class NewtonianStep final : public Dynamics {
       displacement += block.displacement;
       if (recorder && recorder->want_contacts) recorder->contacts.append(block.contacts);
     }
+    std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
+    for (std::size_t k = 0; k < block_loads_.size(); ++k) wall_loads_[k % boundaries_.size()].add(block_loads_[k]);
+    for (const WallLoad& load : wall_loads_) sums.wall_work += input.dt * load.power;
     list_.moved(sums.largest_share_squared, displacement, input.dt);
     return sums;
   }
@@ -112,6 +128,7 @@ class NewtonianStep final : public Dynamics {
     const InDouble rows(p, domain_);
     const DoublePrecision<simd::Scalar> single_rows(p, domain_);
     constexpr bool turning = Tangential::active;
+    WallLoad* loads_on_walls = block_loads_.data() + static_cast<std::size_t>(block) * boundaries_.size();
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
       if (beyond_cache) prefetch_for_next(p, seen, g);
@@ -119,23 +136,24 @@ class NewtonianStep final : public Dynamics {
         const auto self = seen.template body_in_all_lanes<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         const Loads<simd::Scalar> total{total_of(loads.force), total_of(loads.torque)};
-        finish<record>(p, Seats{group.slot, 1, wall_row(g, 0)},
-                       single_rows.template bodies_in_line<turning>(group.slot), total, in, recorder, alone_sums,
-                       result);
+        finish<record>(p, Seats{group.slot, 1, walls_.seat(g, 0)},
+                       single_rows.template bodies_in_line<turning>(group.slot), total, in, recorder, loads_on_walls,
+                       alone_sums, result);
       } else if constexpr (Precision::compact) {
         const auto self = seen.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         for (int part = 0; part < Precision::parts; ++part) {
           const Seats seats{group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>,
-                            wall_row(g, part)};
+                            walls_.seat(g, part)};
           const Loads<Lanes> widened{widened_part(loads.force, part), widened_part(loads.torque, part)};
-          finish<record>(p, seats, rows.template bodies_in_line<turning>(seats.slot), widened, in, recorder, sums,
-                         result);
+          finish<record>(p, seats, rows.template bodies_in_line<turning>(seats.slot), widened, in, recorder,
+                         loads_on_walls, sums, result);
         }
       } else {
         const auto self = rows.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
-        finish<record>(p, Seats{group.slot, group.lanes, wall_row(g, 0)}, self, loads, in, recorder, sums, result);
+        finish<record>(p, Seats{group.slot, group.lanes, walls_.seat(g, 0)}, self, loads, in, recorder, loads_on_walls,
+                       sums, result);
       }
     }
     sums.add_to(result, in);
@@ -190,13 +208,27 @@ class NewtonianStep final : public Dynamics {
           const double overlap = in.growth.scale * (first.radius + second.radius) - distance;
           if (beyond(overlap, i)) return Offence{p.id[i], p.id[j], overlap};
         }
-        for (std::size_t w = 0; w < planes_.size(); ++w) {
-          const double overlap = in.growth.scale * first.radius - planes_[w].distance(first.position);
-          if (beyond(overlap, i)) return Offence{p.id[i], -1 - static_cast<std::int64_t>(w), overlap};
+        if (group.shared && lane > 0) continue;
+        const WallSeat& seat = walls_.seat(g, lane / Lanes::width);
+        for (std::int64_t row = seat.first_row; row < seat.first_row + seat.rows; ++row) {
+          const WallEntry& entry = walls_.row(row)[lane % Lanes::width];
+          const double overlap = wall_overlap(entry, first.position, in.growth.scale * first.radius);
+          if (beyond(overlap, i)) return Offence{p.id[i], -1 - static_cast<std::int64_t>(entry.body), overlap};
         }
       }
     }
     return std::nullopt;
+  }
+
+  /// Below 0 where they do not touch [m].
+  double wall_overlap(const WallEntry& entry, const Vec3& position, double radius) const {
+    constexpr double apart = -1;
+    if (!entry.there() || !boundaries_[entry.body].present) return apart;
+    const Boundaries::Body& body = boundaries_[entry.body];
+    std::int8_t side = entry.side;
+    Touch touch;
+    const Vec3 image = position - boundaries_.shift_vector(entry.shift);
+    return body.shape.touch(entry.piece, body.inside(image), radius, side, touch) ? radius - touch.distance : apart;
   }
 
   static simd::Vector<double> total_of(const simd::Vector<typename PairLanes::Real>& v) {
@@ -206,11 +238,6 @@ class NewtonianStep final : public Dynamics {
 
   static simd::Vector<typename Lanes::Real> widened_part(const simd::Vector<typename PairLanes::Real>& v, int part) {
     return {PairLanes::widened(v.x, part), PairLanes::widened(v.y, part), PairLanes::widened(v.z, part)};
-  }
-
-  /// Of the history of walls: boundary by boundary, then by group.
-  std::int64_t wall_row(std::int32_t group, int part) const {
-    return static_cast<std::int64_t>(group) * Precision::parts + part;
   }
 
   /// Forces from the particles in the group's rows.
@@ -241,8 +268,9 @@ class NewtonianStep final : public Dynamics {
       seen.template read_motion<alike, Tangential::active>(self, neighbour, other);
       const Real inverse_distance = inverse_sqrt(squared);
       const auto touching = Normal::attracts ? squared < reach * reach : near;
-      const Place<PairLanes> at{
-          touching, near, d, inverse_distance, Precision::overlap(reach, squared, inverse_distance), inverse_distance};
+      const Place<PairLanes, TurnsRound<PairLanes>> at{
+          touching,          near, d, inverse_distance, Precision::overlap(reach, squared, inverse_distance),
+          {inverse_distance}};
       const auto slots = [&](int lane) {
         return std::pair{group.shared ? group.slot : group.slot + lane, NeighbourList::slot(neighbour[lane])};
       };
@@ -279,40 +307,65 @@ class NewtonianStep final : public Dynamics {
     return loads;
   }
 
-  /// Forces from walls, then the motion.
+  /// Forces from boundaries, then the motion.
   template <bool record, class L>
   [[gnu::always_inline]] void finish(Particles& p, const Seats& seats, const Bodies<L>& self, Loads<L> loads,
-                                     const StepInput& in, Recorder* recorder, LaneSums<L>& sums, BlockResult& result) {
-    using simd::any;
+                                     const StepInput& in, Recorder* recorder, WallLoad* loads_on_walls,
+                                     LaneSums<L>& sums, BlockResult& result) {
+    if (seats.walls.rows > 0) {
+      wall_forces<record>(p, seats, self, in, recorder, loads_on_walls, loads, sums.walls, result);
+    }
+    move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, L::mask(seats.lanes), in,
+                                                            recorder, sums);
+  }
+
+  /// Few particles are near a boundary: kept out of the loop over all.
+  template <bool record, class L>
+  [[gnu::noinline]] void wall_forces(Particles& p, const Seats& seats, const Bodies<L>& self, const StepInput& in,
+                                     Recorder* recorder, WallLoad* loads_on_walls, Loads<L>& loads,
+                                     ContactSums<typename L::Real>& sums, BlockResult& result) {
     using Real = typename L::Real;
-    const auto occupied = L::mask(seats.lanes);
-    const std::size_t rows_of_a_wall = list_.groups().size() * Precision::parts;
-    for (std::size_t w = 0; w < planes_.size(); ++w) {
-      const Plane& plane = planes_[w];
-      const simd::Vector<Real> normal{Real(plane.normal[0]), Real(plane.normal[1]), Real(plane.normal[2])};
-      const simd::Vector<Real> point{Real(plane.point[0]), Real(plane.point[1]), Real(plane.point[2])};
-      const Real overlap = Real(in.growth.scale) * self.radius - dot(self.position - point, normal);
-      const typename L::Mask touching = (Real(0.0) < overlap) & occupied;
-      const typename L::Mask near = Normal::attracts ? (Real(-forces_.range()) < overlap) & occupied : touching;
-      const std::int64_t row = static_cast<std::int64_t>(w * rows_of_a_wall) + seats.wall_row;
-      if (!any(near)) {
+    WallContacts<Lanes>& contacts = wall_contacts_[static_cast<std::size_t>(omp_get_thread_num())];
+    const bool turns = Tangential::active && in.velocity_lag() > 0;
+    contacts.template find<L>(boundaries_, walls_, seats.walls, seats.lanes, self, in.growth.scale, forces_.range(),
+                              turns);
+    if constexpr (Forces::may_remember) {
+      if (remembers()) {
+        contacts.template pass_on<Forces::most_kept>(walls_, seats.walls, seats.lanes, forces_.kept(), history_.walls);
+      }
+    }
+    for (int k = 0; k < seats.walls.rows; ++k) {
+      const WallRow<Lanes>& found = contacts.row(k);
+      const std::int64_t row = seats.walls.first_row + k;
+      if (found.near == 0) {
         if (remembers()) history_.walls.none(row);
         continue;
       }
-      Bodies<L> wall{self.position, Real(0.0), simd::Vector<Real>::zero(), Real(0.0), simd::Vector<Real>::zero()};
-      const Place<L> at{touching, near, normal, Real(1.0), overlap, Real(0.0)};
+      const WallEntry* entries = walls_.row(row);
+      Bodies<L> wall{self.position, Real(0.0), found.velocity.template load<L>(), Real(0.0),
+                     simd::Vector<Real>::zero()};
+      const simd::Vector<Real> normal = found.normal.template load<L>();
+      const Place<L, TurnsAlong<L>> at{
+          L::mask(found.touching),           L::mask(found.near), normal, Real(1.0), L::load(found.overlap.data()),
+          {found.turning.template load<L>()}};
       const auto who = [&](int lane) {
-        return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - static_cast<std::int64_t>(w)};
+        return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - std::int64_t{entries[lane].body}};
       };
       const auto where = [&](int lane) { return p.now.rows[seats.slot + lane].position; };
       const auto materials = [&](int lane) {
-        return std::pair{p.material[seats.slot + lane], static_cast<std::int32_t>(plane.material)};
+        return std::pair{p.material[seats.slot + lane], boundaries_[entries[lane].body].material};
       };
       const auto laws = forces_.template laws<L>(materials, PairSize<Real>{self.inverse_mass, self.radius});
+      const simd::Vector<Real> before = loads.force;
       forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, where, in, recorder, loads,
-                                             sums.walls, result);
+                                             sums, result);
+      const simd::Vector<Real> added = loads.force - before;
+      for (std::uint32_t lanes = found.near; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const Vec3 force = lane_of<L>(added, lane);
+        loads_on_walls[entries[lane].body].add({-force, force.dot(found.velocity.get(lane))});
+      }
     }
-    move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, occupied, in, recorder, sums);
   }
 
   /// Long enough that neighbours are less than half of it apart. A power of two, or the side of a periodic box over
@@ -329,9 +382,12 @@ class NewtonianStep final : public Dynamics {
   }
 
   Domain domain_;
-  std::vector<Plane> planes_;
+  const Boundaries& boundaries_;
   Forces forces_;
   NeighbourList list_;
+  WallList walls_;
+  std::vector<WallContacts<Lanes>> wall_contacts_;  ///< one a thread
+  std::vector<WallLoad> block_loads_, wall_loads_;  ///< (blocks, boundaries); (boundaries)
   bool alike_ = false;
   ContactHistory<typename Precision::Number> history_;
   std::vector<BlockResult> results_;

@@ -13,6 +13,6 @@ namespace packstone::engine {
 
 /// Tangential: the law where the scene has friction. Precision: DoublePrecision or MixedPrecision of the widest lanes.
 template <class Normal, class Tangential, class Precision>
-std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const Boundaries& boundaries);
 
 }  // namespace packstone::engine

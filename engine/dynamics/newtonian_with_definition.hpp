@@ -10,11 +10,11 @@
 namespace packstone::engine {
 
 template <class Normal, class Tangential, class Precision>
-std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+std::unique_ptr<Dynamics> newtonian_with(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   if (rotates(scene)) {
-    return std::make_unique<NewtonianStep<Precision, Normal, Tangential>>(scene, domain, planes);
+    return std::make_unique<NewtonianStep<Precision, Normal, Tangential>>(scene, domain, boundaries);
   }
-  return std::make_unique<NewtonianStep<Precision, Normal, Frictionless>>(scene, domain, planes);
+  return std::make_unique<NewtonianStep<Precision, Normal, Frictionless>>(scene, domain, boundaries);
 }
 
 }  // namespace packstone::engine

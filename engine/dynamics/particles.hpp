@@ -109,6 +109,10 @@ struct Particles {
   std::size_t size() const { return count; }
   std::size_t slots() const { return id.size(); }
   bool turns() const { return !now.spins.empty(); }
+  /// Half a step before `now` [m/s].
+  Vec3 half_step_velocity(std::size_t slot) const {
+    return half_velocity.empty() ? now.rows[slot].velocity : half_velocity.get(slot);
+  }
   bool is_particle(std::size_t slot) const { return id[slot] != no_particle; }
   /// The slot that stands for no neighbour.
   std::int32_t nobody() const { return static_cast<std::int32_t>(slots()) - 1; }

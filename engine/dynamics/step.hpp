@@ -9,7 +9,7 @@
 
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
-#include "engine/boundary/plane.hpp"
+#include "engine/boundary/boundaries.hpp"
 #include "engine/detection/neighbour_list.hpp"
 #include "engine/dynamics/particles.hpp"
 
@@ -41,6 +41,7 @@ struct StepSums {
   double dissipated_tangential = 0;  ///< by sliding [J]
   double growth_work = 0;            ///< of growing radii against contact forces [J]
   double gravity_work = 0;           ///< [J]
+  double wall_work = 0;              ///< of moving boundaries on particles [J]
   double largest_share_squared = 0;  ///< of its list margin that a particle has used; infinite if not a number
   std::optional<Offence> offence;
   double kinetic_translational = 0;    ///< (recorded) [J]
@@ -80,19 +81,23 @@ class Dynamics {
   /// Forces at `now`, motion into `next`; the caller swaps them. recorder, by id, may be null.
   virtual StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) = 0;
 
+  /// Whether the list must be built anew before forces are right again, or a narrower one would pay.
+  virtual bool outdated(const Growth& growth) const = 0;
+
+  /// What the last step's instant did to each boundary.
+  virtual const std::vector<WallLoad>& wall_loads() const = 0;
+
   virtual const NeighbourList& neighbours() const = 0;
 };
 
-/// Combines the scene's laws once. Friction that is zero everywhere costs nothing: no rotation, no history.
-std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+/// Combines the scene's laws once. The boundaries must outlive it. Friction that is zero everywhere costs nothing: no
+/// rotation, no history.
+std::unique_ptr<Dynamics> make_newtonian(const Scene& scene, const Domain& domain, const Boundaries& boundaries);
 
 /// Whether particles turn: only friction turns a sphere.
 bool rotates(const Scene& scene);
 
 /// Whether the scene's laws are compiled into a loop of their own; the others share one.
 bool has_own_loop(const Scene& scene);
-
-/// Planes of the scene's boundaries.
-std::vector<Plane> make_planes(const Scene& scene);
 
 }  // namespace packstone::engine

@@ -42,8 +42,8 @@ std::vector<FileParticle> read_particles(const Scene& scene, const std::string& 
 /// Holds each particle against the scene.
 class FileCheck {
  public:
-  FileCheck(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes)
-      : scene_(scene), domain_(domain), planes_(planes) {}
+  FileCheck(const Scene& scene, const Domain& domain, const Boundaries& boundaries)
+      : scene_(scene), domain_(domain), boundaries_(boundaries) {}
 
   /// Throws InputError "FILE:LINE: column: what; what would be right".
   void operator()(const FileParticle& p) const {
@@ -54,12 +54,11 @@ class FileCheck {
            fmt::format("{} is not a [[particles]] entry of the scene; they go from 0 to {}", p.group, groups - 1));
     }
     for (int face = 0; face < face_count; ++face) check_face(p, face);
-    for (std::size_t k = 0; k < planes_.size(); ++k) {
-      if (planes_[k].distance(p.position) > 0) continue;
+    if (const auto plane = boundaries_.plane_before(p.position)) {
       fail(p, "x, y, z",
            fmt::format("the centre lies behind the boundary {}; move the particle or the boundary, or turn the "
                        "boundary's normal round",
-                       scene_.boundaries[k].name));
+                       scene_.boundaries[*plane].name));
     }
   }
 
@@ -89,12 +88,12 @@ class FileCheck {
 
   const Scene& scene_;
   const Domain& domain_;
-  const std::vector<Plane>& planes_;
+  const Boundaries& boundaries_;
 };
 
 }  // namespace
 
-StartingState particles_from_file(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+StartingState particles_from_file(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   const std::string& path = *scene.filling.path;
   if (!std::filesystem::is_regular_file(path)) {
     scene.fail("filling.path", fmt::format("{}: {}", path,
@@ -107,7 +106,7 @@ StartingState particles_from_file(const Scene& scene, const Domain& domain, cons
   if (particles.empty()) throw InputError(path + ": holds no particles; one at least is needed");
   std::stable_sort(particles.begin(), particles.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
 
-  const FileCheck check(scene, domain, planes);
+  const FileCheck check(scene, domain, boundaries);
   StartingState start;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const FileParticle& p = particles[i];

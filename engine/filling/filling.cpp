@@ -7,19 +7,19 @@
 
 namespace packstone::engine {
 
-StartingState fill(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+StartingState fill(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   switch (scene.filling.kind) {
     case FillingKind::file:
-      return particles_from_file(scene, domain, planes);
+      return particles_from_file(scene, domain, boundaries);
     case FillingKind::lattice:
-      return lattice_particles(scene, domain, planes);
+      return lattice_particles(scene, domain, boundaries);
     case FillingKind::random:
-      return randomly_placed_particles(scene, domain, planes);
+      return randomly_placed_particles(scene, domain, boundaries);
     case FillingKind::growth:
       break;
   }
   check_growth_volume(scene, domain);
-  return grown_particles(scene, domain, planes);
+  return grown_particles(scene, domain, boundaries);
 }
 
 }  // namespace packstone::engine

@@ -18,13 +18,13 @@ constexpr double binary_close_packing = 1 - (1 - random_close_packing) * (1 - ra
 constexpr double gap_filling_ratio = 2.0;
 constexpr int placement_trials = 1000;
 
-Vec3 random_position(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes, std::int64_t id) {
+Vec3 random_position(const Scene& scene, const Domain& domain, const Boundaries& boundaries, std::int64_t id) {
   const auto [low, high] = region_of(scene, domain);
   Random random(static_cast<std::uint64_t>(scene.seed), RandomStream::filling_position, static_cast<std::uint64_t>(id));
   for (int trial = 0; trial < placement_trials; ++trial) {
     Vec3 p;
     for (int k = 0; k < 3; ++k) p[k] = random.uniform(low[k], high[k]);
-    if (std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.distance(p) > 0; })) return p;
+    if (boundaries.clearance(p) > 0) return p;
   }
   scene.fail("filling", fmt::format("no place for particle {}: the boundaries cut off nearly all of the region; check "
                                     "each boundary's point and the direction of its normal",
@@ -53,12 +53,12 @@ void check_growth_volume(const Scene& scene, const Domain& domain) {
   }
 }
 
-StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+StartingState grown_particles(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   StartingState start;
   for (std::size_t g = 0; g < scene.particles.size(); ++g) {
     for (const double radius : scene.radii(g)) {
       const auto id = static_cast<std::int64_t>(start.size());
-      start.position.push_back(random_position(scene, domain, planes, id));
+      start.position.push_back(random_position(scene, domain, boundaries, id));
       start.radius.push_back(radius);
       start.type.push_back(static_cast<std::int32_t>(g));
     }

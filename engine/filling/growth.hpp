@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene.hpp"
-#include "engine/boundary/plane.hpp"
+#include "engine/boundary/boundaries.hpp"
 #include "engine/dynamics/particles.hpp"
 #include "engine/filling/starting_state.hpp"
 
@@ -16,8 +16,8 @@ namespace packstone::engine {
 void check_growth_volume(const Scene& scene, const Domain& domain);
 
 /// All particles at rest at random positions in the region, on the inner side of every plane. Ids follow the groups.
-/// Throws InputError when the planes leave no room.
-StartingState grown_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes);
+/// Throws InputError when the boundaries leave no room.
+StartingState grown_particles(const Scene& scene, const Domain& domain, const Boundaries& boundaries);
 
 /// Share of full size and its rate at a time [s]; full size throughout where nothing grows.
 Growth growth_at(const Scene& scene, double time);

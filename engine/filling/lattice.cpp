@@ -36,7 +36,7 @@ UnitCell unit_cell(Lattice lattice) {
 }
 
 /// All sites with room for a sphere of this radius.
-std::vector<Vec3> sites_in(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes, double radius) {
+std::vector<Vec3> sites_in(const Scene& scene, const Domain& domain, const Boundaries& boundaries, double radius) {
   const Region region = region_of(scene, domain);
   const UnitCell unit = unit_cell(scene.filling.lattice);
   Vec3 cell = scene.filling.spacing.value_or(2 * radius) * unit.size, first = region.min;
@@ -56,7 +56,7 @@ std::vector<Vec3> sites_in(const Scene& scene, const Domain& domain, const std::
       for (int k = 0; k < count[2]; ++k) {
         for (const Vec3& site : unit.sites) {
           const Vec3 p = first + (Vec3(i, j, k) + site).cwiseProduct(cell);
-          if (has_room(p, radius, region, domain, planes)) sites.push_back(p);
+          if (has_room(p, radius, region, domain, boundaries)) sites.push_back(p);
         }
       }
     }
@@ -66,7 +66,7 @@ std::vector<Vec3> sites_in(const Scene& scene, const Domain& domain, const std::
 
 }  // namespace
 
-StartingState lattice_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+StartingState lattice_particles(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   StartingState start = unplaced_particles(scene);
   const double largest = *std::max_element(start.radius.begin(), start.radius.end());
   if (scene.filling.spacing && *scene.filling.spacing < 2 * largest) {
@@ -74,7 +74,7 @@ StartingState lattice_particles(const Scene& scene, const Domain& domain, const 
                fmt::format("{:g} m is less than the largest diameter, {:g} m: particles would overlap",
                            *scene.filling.spacing, 2 * largest));
   }
-  std::vector<Vec3> sites = sites_in(scene, domain, planes, largest);
+  std::vector<Vec3> sites = sites_in(scene, domain, boundaries, largest);
   if (sites.size() < start.size()) {
     scene.fail("filling", fmt::format("{} particles are asked for, the lattice has {} sites with room for the largest "
                                       "({:g} m); enlarge the region, reduce spacing or take fewer",

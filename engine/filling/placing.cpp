@@ -8,8 +8,7 @@ Region region_of(const Scene& scene, const Domain& domain) {
   return {scene.filling.region_min.value_or(domain.min), scene.filling.region_max.value_or(domain.max)};
 }
 
-bool has_room(const Vec3& p, double radius, const Region& region, const Domain& domain,
-              const std::vector<Plane>& planes) {
+bool has_room(const Vec3& p, double radius, const Region& region, const Domain& domain, const Boundaries& boundaries) {
   constexpr double rounding = 1e-12;  // of the radius: spheres may touch
   const double reach = radius * (1 - rounding);
   for (int axis = 0; axis < 3; ++axis) {
@@ -18,7 +17,7 @@ bool has_room(const Vec3& p, double radius, const Region& region, const Domain& 
     if (whole_period) continue;
     if (p[axis] - reach < region.min[axis] || p[axis] + reach > region.max[axis]) return false;
   }
-  return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.distance(p) >= reach; });
+  return boundaries.clearance(p) >= reach;
 }
 
 StartingState unplaced_particles(const Scene& scene) {

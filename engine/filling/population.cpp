@@ -1,6 +1,7 @@
 #include "engine/filling/population.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace packstone::engine {
 
@@ -14,6 +15,14 @@ Population population_of(const Scene& scene, const StartingState& start) {
     ++group.count;
   }
   return population;
+}
+
+double smallest_radius(const Population& population) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const GroupSizes& group : population) {
+    if (group.count > 0) smallest = std::min(smallest, group.smallest_radius);
+  }
+  return smallest;
 }
 
 double largest_radius(const Population& population) {

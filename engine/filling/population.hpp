@@ -24,4 +24,7 @@ Population population_of(const Scene& scene, const StartingState& start);
 /// Over all groups [m].
 double largest_radius(const Population& population);
 
+/// Of all particles [m]; infinite without any.
+double smallest_radius(const Population& population);
+
 }  // namespace packstone::engine

@@ -105,7 +105,7 @@ class PlacedSpheres {
 
 }  // namespace
 
-StartingState randomly_placed_particles(const Scene& scene, const Domain& domain, const std::vector<Plane>& planes) {
+StartingState randomly_placed_particles(const Scene& scene, const Domain& domain, const Boundaries& boundaries) {
   StartingState start = unplaced_particles(scene);
   std::vector<std::size_t> order(start.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -121,7 +121,7 @@ StartingState randomly_placed_particles(const Scene& scene, const Domain& domain
     for (int trial = 0; trial < most_trials && !found; ++trial) {
       Vec3 p;
       for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(region.min[axis], region.max[axis]);
-      found = has_room(p, radius, region, domain, planes) && placed.touches_none(p, radius);
+      found = has_room(p, radius, region, domain, boundaries) && placed.touches_none(p, radius);
       if (found) start.position[id] = domain.wrapped(p);
     }
     if (!found) {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/bed.hpp"
+#include "core/bed_frame.hpp"
 #include "core/error.hpp"
 #include "core/geometry.hpp"
 #include "tests/analysis/fixtures.hpp"
@@ -68,6 +69,60 @@ TEST_CASE("up follows gravity, and the floor its plane") {
   }
   SECTION("no gravity: z") { s.gravity = Vec3::Zero(); }
   CHECK(value(measured(s, "packing"), "bed_height") == Approx(height).epsilon(1e-6));
+}
+
+TEST_CASE("a bed in a cylinder is measured over the cylinder's cross-section") {
+  // The columns of a cubic bed that lie in a cylinder of radius 20, whose floor stands at 7.
+  constexpr double radius = 20, floor = 7;
+  Snapshot s = empty_box(Vec3(50, 50, 120), {false, false, false});
+  const Vec3 middle(25, 25, 0);
+  double columns = 0;
+  for (int i = 0; i < 25; ++i) {
+    for (int j = 0; j < 25; ++j) {
+      const Vec3 column = Vec3(2 * i + 1, 2 * j + 1, 0);
+      if ((column - middle).norm() > radius - 1) continue;
+      ++columns;
+      for (int k = 0; k < 40; ++k) add_particle(s, column + (floor + 2 * k + 1) * Vec3::UnitZ(), 1);
+    }
+  }
+  BoundaryRecord drum{.name = "drum", .kind = "cylinder"};
+  drum.point = middle + floor * Vec3::UnitZ();
+  drum.normal = drum.axis = Vec3::UnitZ();
+  drum.cross_section = std::numbers::pi * radius * radius;
+  s.boundaries = {drum};
+  const auto packing = measured(s, "packing");
+  CHECK(value(packing, "cross_section") == Approx(1256.637061));
+  CHECK(value(packing, "bed_height") == Approx(80).epsilon(1e-3));
+  // Spheres of 4 pi / 3 at 2 a layer, over the circle.
+  CHECK(value(packing, "bulk_fraction") == Approx(columns * 4 / (3 * radius * radius * 2)).epsilon(1e-3));
+}
+
+TEST_CASE("the cross-section is the smallest that stands upright, the floor the highest that looks up") {
+  Snapshot s = empty_box(Vec3(3, 4, 10), {false, false, false});
+  CHECK(bed_frame(s).area == Approx(12));
+  BoundaryRecord pipe{.name = "pipe", .kind = "cylinder", .axis = -Vec3::UnitZ(), .cross_section = 5};
+  BoundaryRecord lying = pipe, wide = pipe, open = pipe, tilted = pipe;
+  lying.axis = Vec3::UnitX();
+  lying.cross_section = 1;
+  tilted.axis = Vec3(0.01, 0, 1).normalized();
+  tilted.cross_section = 1;
+  wide.cross_section = 20;
+  open.cross_section = 0;
+  s.boundaries = {lying, tilted, wide, open};
+  CHECK(bed_frame(s).area == Approx(12));
+  CHECK(bed_frame(s).floor == 0);  // none has a floor
+  s.boundaries.push_back(pipe);
+  CHECK(bed_frame(s).area == Approx(5));
+  s.gravity = Vec3(9.8, 0, 0);
+  CHECK(bed_frame(s).area == Approx(1));
+
+  s.gravity = Vec3(0, 0, -9.8);
+  s.boundaries = {{"floor", "plane", Vec3(0, 0, 1), Vec3::UnitZ()},
+                  {"drum", "cylinder", Vec3(1, 1, 2), Vec3::UnitZ()},
+                  {"lid", "box", Vec3(0, 0, 9), -Vec3::UnitZ()}};
+  CHECK(bed_frame(s).floor == 2);
+  s.gravity = -s.gravity;
+  CHECK(bed_frame(s).floor == 9);
 }
 
 TEST_CASE("strange beds stay finite") {

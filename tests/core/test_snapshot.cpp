@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -48,6 +49,37 @@ Snapshot random_snapshot(std::size_t count) {
   return s;
 }
 
+/// Two walls with a surface around one that has none; numbers of points and triangles differ.
+std::vector<BoundaryRecord> walls_of_all_sorts() {
+  BoundaryRecord drum{.name = "drum", .kind = "cylinder"};
+  drum.point = Vec3(0.5, 0.5, 0.05);
+  drum.normal = Vec3::UnitZ();
+  drum.axis = Vec3::UnitZ();
+  drum.cross_section = 0.785;
+  drum.points = {Vec3(0, 0, 0.1), Vec3(1, 0, 0.2), Vec3(0, 1, 0.3), Vec3(-1, 0, 0.4)};
+  drum.triangles = {{0, 1, 2}, {0, 2, 3}};
+  BoundaryRecord floor{.name = "floor", .kind = "plane", .point = Vec3(0, 0, 0.1), .normal = Vec3::UnitZ()};
+  BoundaryRecord blade{.name = "blade", .kind = "polygons", .one_sided = false};
+  blade.points = {Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(5, 1, 0)};
+  blade.triangles = {{2, 1, 0}};
+  return {drum, floor, blade};
+}
+
+/// The file with these numbers put in the place of those, which must be there once.
+std::string patched(const std::string& bytes, const std::vector<std::int64_t>& from,
+                    const std::vector<std::int64_t>& to) {
+  const auto raw = [](const std::vector<std::int64_t>& numbers) {
+    std::string text(numbers.size() * sizeof(std::int64_t), '\0');
+    std::memcpy(text.data(), numbers.data(), text.size());
+    return text;
+  };
+  std::string result = bytes;
+  const std::size_t at = bytes.find(raw(from));
+  REQUIRE(at != std::string::npos);
+  REQUIRE(bytes.find(raw(from), at + 1) == std::string::npos);
+  return result.replace(at, raw(to).size(), raw(to));
+}
+
 }  // namespace
 
 TEST_CASE("a snapshot comes back as it was written, whatever the order of its rows") {
@@ -81,6 +113,83 @@ TEST_CASE("a snapshot comes back as it was written, whatever the order of its ro
   CHECK(t.contacts->second == s.contacts->second);
   CHECK(t.contacts->force[1] == s.contacts->force[1]);
   CHECK(t.contacts->sliding == s.contacts->sliding);
+}
+
+TEST_CASE("boundaries come back with their surfaces, each with its own") {
+  const testing::TemporaryFolder folder;
+  Snapshot s = random_snapshot(10);
+  s.boundaries = walls_of_all_sorts();
+  write_snapshot(folder / "a.vtkhdf", s);
+  const Snapshot t = read_snapshot(folder / "a.vtkhdf");
+  REQUIRE(t.boundaries.size() == s.boundaries.size());
+  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
+    const BoundaryRecord& was = s.boundaries[k];
+    const BoundaryRecord& is = t.boundaries[k];
+    CHECK(is.name == was.name);
+    CHECK(is.kind == was.kind);
+    CHECK(is.point == was.point);
+    CHECK(is.normal == was.normal);
+    CHECK(is.axis == was.axis);
+    CHECK(is.cross_section == was.cross_section);
+    CHECK(is.one_sided == was.one_sided);
+    CHECK(is.points == was.points);
+    CHECK(is.triangles == was.triangles);
+  }
+  s.boundaries.clear();
+  write_snapshot(folder / "none.vtkhdf", s);
+  CHECK(read_snapshot(folder / "none.vtkhdf").boundaries.empty());
+}
+
+TEST_CASE("a file from before there were surfaces is read") {
+  const Snapshot s = read_snapshot(PACKSTONE_SOURCE_DIR "/tests/data/snapshot_planes_only.vtkhdf");
+  CHECK(s.program == "packstone 0.1.0 (git 27d944f)");
+  CHECK(s.size() == 12);
+  REQUIRE(s.boundaries.size() == 1);
+  const BoundaryRecord& floor = s.boundaries[0];
+  CHECK(floor.kind == "plane");
+  CHECK(floor.point == Vec3(0, 0, 0.01));
+  CHECK(floor.normal == Vec3::UnitZ());
+  CHECK(floor.axis == Vec3::Zero());
+  CHECK(floor.cross_section == 0);
+  CHECK(floor.one_sided);
+  CHECK(floor.points.empty());
+  CHECK(floor.triangles.empty());
+}
+
+TEST_CASE("surfaces that refer to what is not there are refused") {
+  const testing::TemporaryFolder folder;
+  Snapshot s = random_snapshot(10);
+  const auto refused = [&](const std::string& why) {
+    CHECK_THROWS_AS(read_snapshot(folder / "bad.vtkhdf"), InputError);
+    CHECK_THROWS_WITH(read_snapshot(folder / "bad.vtkhdf"), Contains("bad.vtkhdf") && Contains(why));
+  };
+  // The last boundary has 3 points of its own, though the file holds more.
+  for (const std::int32_t corner : {-1, 3}) {
+    s.boundaries = walls_of_all_sorts();
+    s.boundaries[2].triangles[0][1] = corner;
+    write_snapshot(folder / "bad.vtkhdf", s);
+    refused("surface_triangles");
+  }
+  s.boundaries = walls_of_all_sorts();
+  s.boundaries[0].points[1].y() = HUGE_VAL;
+  write_snapshot(folder / "bad.vtkhdf", s);
+  refused("surface_points");
+
+  s.boundaries = walls_of_all_sorts();
+  write_snapshot(folder / "good.vtkhdf", s);
+  const std::string bytes = read_text_file(folder / "good.vtkhdf");
+  const auto write_patched = [&](const std::vector<std::int64_t>& from, const std::vector<std::int64_t>& to) {
+    std::ofstream(folder / "bad.vtkhdf", std::ios::binary) << patched(bytes, from, to);
+  };
+  const std::vector<std::int64_t> first_point = {0, 4, 4, 7}, first_triangle = {0, 2, 2, 3};
+  for (const auto& wrong : {std::vector<std::int64_t>{0, 5, 4, 7}, {1, 4, 4, 7}, {0, 4, 4, 8}, {0, -4, 4, 7}}) {
+    write_patched(first_point, wrong);
+    refused("surface_first_point");
+  }
+  for (const auto& wrong : {std::vector<std::int64_t>{0, 3, 2, 3}, {0, 2, 2, 1'000'000'000}, {-1, 2, 2, 3}}) {
+    write_patched(first_triangle, wrong);
+    refused("surface_first_triangle");
+  }
 }
 
 TEST_CASE("writing the same snapshot twice gives the same bytes") {

@@ -5,9 +5,7 @@
 
 namespace packstone::engine::testing {
 
-inline Vec3 half_step_velocity(const Particles& p, std::size_t slot) {
-  return p.half_velocity.empty() ? p.now.rows[slot].velocity : p.half_velocity.get(slot);
-}
+inline Vec3 half_step_velocity(const Particles& p, std::size_t slot) { return p.half_step_velocity(slot); }
 
 inline Vec3 half_step_turning(const Particles& p, std::size_t slot) {
   return p.half_angular_velocity.empty() ? p.now.spins[slot].angular_velocity : p.half_angular_velocity.get(slot);

@@ -22,8 +22,10 @@ struct Sphere {
   double radius = 0.02;
 };
 
-/// A scene of one material with the given contact table and further material keys, in a box of 1 m with a floor.
-inline Scene contact_scene(const std::string& contact, const std::string& material, bool floor = false) {
+/// A scene of one material with the given contact table and further material keys, in a box of 1 m, maybe with a floor
+/// and further tables.
+inline Scene contact_scene(const std::string& contact, const std::string& material, bool floor = false,
+                           const std::string& further = "") {
   std::string text = R"(
 [dynamics]
 duration = 1
@@ -48,7 +50,7 @@ duration = 0.1
 interval = 0.1
 )";
   if (floor) text += "[[boundary]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
-  return parse_scene(text, "hand-made");
+  return parse_scene(text + further, "hand-made");
 }
 
 class HandMade {
@@ -68,13 +70,17 @@ class HandMade {
     input.dt = dt;
     input.overlap_limit = 0.5;
     input.velocity_lead = contact_velocity == ContactVelocity::half_step ? 0 : 0.5 * dt;
-    dynamics = make_newtonian(scene, scene.box(), make_planes(scene));
+    boundaries = std::make_unique<Boundaries>(scene, scene.box());
+    dynamics = make_newtonian(scene, scene.box(), *boundaries);
   }
 
   StepSums step(Recorder* recorder = nullptr) {
-    if (dynamics->neighbours().outdated(input.growth)) dynamics->rebuild(particles, input.growth, input.dt);
+    boundaries->go_to(time, input.dt, input.velocity_lead);
+    if (dynamics->outdated(input.growth)) dynamics->rebuild(particles, input.growth, input.dt);
     const StepSums sums = dynamics->advance(particles, input, recorder);
+    boundaries->push(dynamics->wall_loads(), input.gravity, time, input.dt);
     std::swap(particles.now, particles.next);
+    time += input.dt;
     return sums;
   }
 
@@ -106,6 +112,8 @@ class HandMade {
 
   Particles particles;
   StepInput input;
+  double time = 0;
+  std::unique_ptr<Boundaries> boundaries;
   std::unique_ptr<Dynamics> dynamics;
 };
 

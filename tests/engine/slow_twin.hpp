@@ -10,7 +10,6 @@
 #include "core/domain.hpp"
 #include "core/scene.hpp"
 #include "core/vec3.hpp"
-#include "engine/boundary/plane.hpp"
 #include "engine/contact/collision.hpp"
 #include "engine/contact/mixing.hpp"
 #include "engine/dynamics/step.hpp"
@@ -26,7 +25,7 @@ struct TwinSphere {
 class SlowTwin {
  public:
   SlowTwin(const Scene& scene, std::vector<TwinSphere> spheres)
-      : scene_(scene), domain_(scene.box()), planes_(make_planes(scene)), spheres_(std::move(spheres)) {}
+      : scene_(scene), domain_(scene.box()), spheres_(std::move(spheres)) {}
 
   const std::vector<TwinSphere>& spheres() const { return spheres_; }
   int contacts() const { return contacts_; }
@@ -48,12 +47,14 @@ class SlowTwin {
         torque[i] -= in.growth.scale * a.radius * on_a.turning;
         torque[j] -= in.growth.scale * b.radius * on_a.turning;
       }
-      for (std::size_t w = 0; w < planes_.size(); ++w) {
+      for (std::size_t w = 0; w < scene_.boundaries.size(); ++w) {  // planes at rest
+        const BoundarySpec& plane = scene_.boundaries[w];
+        const Vec3 normal = plane.normal->normalized();
         TwinSphere wall{};
         wall.velocity = wall.spin = Vec3::Zero();
-        wall.material = static_cast<int>(planes_[w].material);
-        const double overlap = in.growth.scale * a.radius - planes_[w].distance(a.position);
-        const Load on_a = contact(a, wall, {long(i), -1 - long(w)}, planes_[w].normal, overlap, in);
+        wall.material = scene_.material_index(plane.material);
+        const double overlap = in.growth.scale * a.radius - normal.dot(a.position - *plane.point);
+        const Load on_a = contact(a, wall, {long(i), -1 - long(w)}, normal, overlap, in);
         force[i] += on_a.force;
         torque[i] -= in.growth.scale * a.radius * on_a.turning;
       }
@@ -193,7 +194,6 @@ class SlowTwin {
 
   Scene scene_;
   Domain domain_;
-  std::vector<Plane> planes_;
   std::vector<TwinSphere> spheres_;
   std::map<std::pair<long, long>, Vec3> springs_;
   std::map<std::pair<long, long>, Kept> kept_;

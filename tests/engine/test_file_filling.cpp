@@ -30,7 +30,7 @@ namespace {
 
 const std::string lammps_file = std::string(PACKSTONE_SOURCE_DIR) + "/tests/data/lammps_sphere.data";
 
-StartingState started_from(const Scene& scene) { return fill(scene, scene.box(), make_planes(scene)); }
+StartingState started_from(const Scene& scene) { return fill(scene, scene.box(), Boundaries(scene, scene.box())); }
 
 StartingState started_from(const std::string& content, const std::string& name = "start.csv",
                            const std::vector<std::string>& set = {}) {

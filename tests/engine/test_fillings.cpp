@@ -27,7 +27,7 @@ Scene filled_scene(const std::string& filling, const std::string& count, const s
       "s.toml");
 }
 
-StartingState filled(const Scene& scene) { return fill(scene, scene.box(), make_planes(scene)); }
+StartingState filled(const Scene& scene) { return fill(scene, scene.box(), Boundaries(scene, scene.box())); }
 
 /// Smallest gap between two surfaces, over periodic images [m].
 double smallest_gap(const Scene& scene, const StartingState& s) {

@@ -14,7 +14,7 @@ using testing::small_scene;
 TEST_CASE("particles asked for are particles delivered, at random, in the region, in front of the floor") {
   const Scene scene = parse_scene(small_scene, "s.toml", {"boundary[0].point=[0, 0, 0.1]"});
   const Domain domain = scene.box();
-  const StartingState p = grown_particles(scene, domain, make_planes(scene));
+  const StartingState p = grown_particles(scene, domain, Boundaries(scene, domain));
   REQUIRE(p.size() == 120);
   CHECK(std::count(p.type.begin(), p.type.end(), 0) == 60);
   CHECK(p.radius[119] == 0.02);
@@ -35,7 +35,7 @@ TEST_CASE("particles asked for are particles delivered, at random, in the region
 TEST_CASE("the seed decides the positions, and a particle's place does not depend on the others") {
   const auto first = [](const std::vector<std::string>& set) {
     const Scene scene = parse_scene(small_scene, "s.toml", set);
-    return grown_particles(scene, scene.box(), {}).position[5];
+    return grown_particles(scene, scene.box(), Boundaries(scene, scene.box())).position[5];
   };
   CHECK(first({}) == first({}));
   CHECK(first({}) == first({"particles[1].count=3"}));
@@ -65,5 +65,6 @@ TEST_CASE("more volume than a random packing holds is refused before the run") {
 TEST_CASE("a floor that faces the wrong way is named") {
   const Scene scene =
       parse_scene(small_scene, "s.toml", {"boundary[0].point=[0, 0, 0]", "boundary[0].normal=[0, 0, -1]"});
-  CHECK_THROWS_WITH(grown_particles(scene, scene.box(), make_planes(scene)), Contains("direction of its normal"));
+  CHECK_THROWS_WITH(grown_particles(scene, scene.box(), Boundaries(scene, scene.box())),
+                    Contains("direction of its normal"));
 }

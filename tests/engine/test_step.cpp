@@ -97,7 +97,8 @@ template <class Precision, class Normal, class Tangential>
 void check_against_twin(Bed b, double lead, double looser = 1) {
   if (lead == 0) b.scene.dynamics.contact_velocity = ContactVelocity::half_step;
   Particles p = make_particles(b.scene, b.start);
-  NewtonianStep<Precision, Normal, Tangential> fast(b.scene, b.scene.box(), make_planes(b.scene));
+  const Boundaries boundaries(b.scene, b.scene.box());
+  NewtonianStep<Precision, Normal, Tangential> fast(b.scene, b.scene.box(), boundaries);
   SlowTwin slow(b.scene, twins(b, p));
   constexpr Tolerance tolerance = Precision::compact ? single_rounding : rounding;
   StepInput in;
@@ -111,7 +112,7 @@ void check_against_twin(Bed b, double lead, double looser = 1) {
   recorder.angular_velocity.resize(p.size());
   for (int n = 0; n < 40; ++n) {
     in.growth = n < 20 ? Growth{0.8 + n * 0.005, 0.005 / step_length * 0.02} : Growth{0.95, 0};
-    if (fast.neighbours().outdated(in.growth)) fast.rebuild(p, in.growth, in.dt);
+    if (fast.outdated(in.growth)) fast.rebuild(p, in.growth, in.dt);
     const bool record = n % 10 == 9;
     const StepSums sums = fast.advance(p, in, record ? &recorder : nullptr);
     slow.step(in);
@@ -182,8 +183,9 @@ TEST_CASE("the step in mixed precision agrees with its slow twin in AVX-512") {
 TEST_CASE("a list that wore out tells by how much, so that the next one can be made to last") {
   const Bed b = bed("normal = \"linear\"\n", 0, 0.02, 0.02, 300, Mix::none);
   Particles p = make_particles(b.scene, b.start);
+  const Boundaries boundaries(b.scene, b.scene.box());
   NewtonianStep<DoublePrecision<simd::Widest>, Linear<Release::zero_overlap>, Frictionless> step(b.scene, b.scene.box(),
-                                                                                                 make_planes(b.scene));
+                                                                                                 boundaries);
   StepInput in;
   in.dt = step_length;
   in.overlap_limit = 10;
@@ -250,15 +252,16 @@ TEMPLATE_TEST_CASE("every normal law with every tangential law, in lanes, agrees
 TEST_CASE("mixed precision is as exact far from the origin") {
   Bed b = bed("normal = \"linear\"\n", 0, 0.02, 0.02, 300, Mix::none);
   const Vec3 far(-3e4, 5e4, 7e4);  // beyond 2^19 periods
-  for (BoundarySpec& wall : b.scene.boundaries) wall.point += far;
+  for (BoundarySpec& wall : b.scene.boundaries) *wall.point += far;
   *b.scene.domain.min += far;
   *b.scene.domain.max += far;
   for (Vec3& position : b.start.position) position += far;
   Particles in_double = make_particles(b.scene, b.start), in_mixed = in_double;
+  const Boundaries boundaries(b.scene, b.scene.box());
   NewtonianStep<MixedPrecision<simd::WidestSingle>, Linear<Release::zero_overlap>, Frictionless> mixed(
-      b.scene, b.scene.box(), make_planes(b.scene));
+      b.scene, b.scene.box(), boundaries);
   NewtonianStep<DoublePrecision<simd::Widest>, Linear<Release::zero_overlap>, Frictionless> exact(
-      b.scene, b.scene.box(), make_planes(b.scene));
+      b.scene, b.scene.box(), boundaries);
   StepInput in;
   in.dt = step_length;
   in.overlap_limit = 10;

@@ -21,7 +21,7 @@ Scene scene_with_step(const std::string& step) {
 }
 
 StepLimit limit_of(const Scene& scene) {
-  return step_limit(scene, population_of(scene, grown_particles(scene, scene.box(), {})));
+  return step_limit(scene, population_of(scene, grown_particles(scene, scene.box(), Boundaries(scene, scene.box()))));
 }
 
 double checked_step(const Scene& scene, std::vector<std::string>& warnings) {

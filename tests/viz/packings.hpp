@@ -1,6 +1,8 @@
 // Small packings made by hand.
 #pragma once
 
+#include <cmath>
+
 #include "core/snapshot.hpp"
 
 namespace packstone::testing {
@@ -31,6 +33,40 @@ inline Snapshot single_sphere(double radius) {
   snapshot.boundaries.clear();
   add_particle(snapshot, Vec3::Constant(0.5), radius, 0);
   return snapshot;
+}
+
+/// A cylinder that particles lie in, standing on its floor at the centre; 2 sides triangles of wall, 1 sides of floor.
+/// Sides look along x and y where their number goes by 4.
+inline BoundaryRecord upright_cylinder(const Vec3& centre, double radius, double height, int sides) {
+  BoundaryRecord drum;
+  drum.name = "drum";
+  drum.kind = "cylinder";
+  drum.points.push_back(centre);
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * M_PI * (i + 0.5) / sides;
+    const Vec3 rim = centre + radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    drum.points.push_back(rim);
+    drum.points.push_back(rim + height * Vec3::UnitZ());
+    const int low = 2 * i + 1;
+    const int next = 2 * ((i + 1) % sides) + 1;
+    drum.triangles.push_back({low, next + 1, next});
+    drum.triangles.push_back({low, low + 1, next + 1});
+    drum.triangles.push_back({0, low, next});
+  }
+  return drum;
+}
+
+/// The same surface with corners of its own for every triangle, as in an STL file.
+inline BoundaryRecord cut_apart(const BoundaryRecord& surface) {
+  BoundaryRecord apart = surface;
+  apart.points.clear();
+  for (auto& triangle : apart.triangles) {
+    for (auto& corner : triangle) {
+      apart.points.push_back(surface.points[corner]);
+      corner = static_cast<std::int32_t>(apart.points.size() - 1);
+    }
+  }
+  return apart;
 }
 
 /// Shifted square layers, the lower half heavy, with all lengths in the given unit [m].

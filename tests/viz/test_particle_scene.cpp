@@ -1,4 +1,5 @@
 #include <cmath>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -167,6 +168,89 @@ TEST_CASE("the floor does not hide the particles from below") {
   const Image above = draw_particles(snapshot, options);
   const Point seen = Sight(snapshot, options).pixel(Vec3(0.05, 0.05, 0));
   CHECK(above.at(static_cast<int>(seen.x), static_cast<int>(seen.y)) == plate_fill);
+}
+
+TEST_CASE("a cylinder shows what lies in it, before its far wall") {
+  Snapshot snapshot = testing::single_sphere(0.2);
+  PictureOptions options = bare(View::front);
+  options.container = true;
+  options.supersampling = 3;  // so that no line is missed
+  const Sight sight(snapshot, options);
+  const auto colour_at = [&](const Image& image, const Vec3& p) {
+    const Point pixel = sight.pixel(p);
+    return image.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  };
+  const Vec3 beside(0.22, 0.5, 0.45), outside(0.05, 0.5, 0.45), silhouette(0.9, 0.5, 0.45);
+  const Colour bare_sphere = colour_at(draw_particles(snapshot, options), snapshot.position[0]);
+
+  snapshot.boundaries = {testing::upright_cylinder(Vec3(0.5, 0.5, 0.1), 0.4, 0.8, 64)};
+  const Image image = draw_particles(snapshot, options);
+  CHECK(colour_at(image, snapshot.position[0]) == bare_sphere);
+  CHECK(colour_at(image, outside) == paper);
+  const Colour far_wall = colour_at(image, beside);
+  CHECK(far_wall.r == far_wall.g);
+  CHECK(far_wall.r > 170);
+  CHECK(far_wall.r < plate_fill.r);
+  // Lit from the left: the wall's left part turns away from the light.
+  CHECK(far_wall.r < colour_at(image, Vec3(0.78, 0.5, 0.45)).r);
+  bool lined = false;  // somewhere in the three pixels around the silhouette
+  for (const double off : {-1.0, 0.0, 1.0}) {
+    const Vec3 p = silhouette + off / sight.pixels_per_metre() * Vec3::UnitX();
+    lined = lined || colour_at(image, p).r < 190;
+  }
+  CHECK(lined);
+
+  snapshot.boundaries[0].one_sided = false;
+  const Colour near_wall = colour_at(draw_particles(snapshot, options), snapshot.position[0]);
+  CHECK(near_wall.r == near_wall.g);
+  CHECK(near_wall.r > 170);
+}
+
+TEST_CASE("the depth of a pixel is that of the wall it shows") {
+  Snapshot snapshot = testing::empty_box(Vec3::Ones());
+  snapshot.boundaries = {testing::upright_cylinder(Vec3(0.5, 0.5, 0.1), 0.4, 0.8, 64)};
+  PictureOptions options = bare(View::front);
+  options.container = true;
+  ParticlePainter painter(options);
+  painter.paint(snapshot);
+  const Point pixel = Sight(snapshot, options).pixel(Vec3(0.6, 0.5, 0.5));
+  const auto point = painter.surface_point(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  REQUIRE(point);
+  CHECK(point->y() == Approx(0.5 + std::sqrt(0.16 - 0.01)).margin(2e-3));
+}
+
+TEST_CASE("a floor in the plane of another does not flicker through it") {
+  Snapshot snapshot = testing::empty_box(Vec3::Ones());
+  snapshot.boundaries.push_back(testing::upright_cylinder(Vec3(0.5, 0.5, 0), 0.4, 0.8, 64));
+  for (const View view : {View::top, View::iso}) {
+    PictureOptions options = bare(view);
+    options.container = true;
+    const Image image = draw_particles(snapshot, options);
+    const Sight sight(snapshot, options);
+    std::set<int> tones;
+    for (double x = 0.35; x < 0.65; x += 0.01) {
+      for (double y = 0.35; y < 0.65; y += 0.01) {
+        const Point pixel = sight.pixel(Vec3(x, y, 0));
+        tones.insert(image.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y)).r);
+      }
+    }
+    CHECK(tones.size() == 1);
+  }
+}
+
+TEST_CASE("a surface beyond the domain does not move the view") {
+  PictureOptions options = bare(View::iso);
+  options.container = true;
+  Snapshot snapshot = testing::single_sphere(0.3);
+  const Image alone = draw_particles(snapshot, options);
+  snapshot.boundaries = {testing::upright_cylinder(Vec3(0.5, 2.5, -1), 0.5, 1, 64)};
+  const Image beside = draw_particles(snapshot, options);
+  const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
+  CHECK(beside.rgb != alone.rgb);
+  for (const int off : {-20, 0, 20}) {
+    const int column = static_cast<int>(middle.x) + off;
+    CHECK(beside.at(column, static_cast<int>(middle.y)) == alone.at(column, static_cast<int>(middle.y)));
+  }
 }
 
 TEST_CASE("a plane is cut off at the box") {

@@ -1,0 +1,42 @@
+#include "engine/boundary/formula.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace packstone::engine {
+
+struct Formula::Impl {
+  std::string text;
+  mu::Parser parser;
+  std::vector<double> values;
+};
+
+Formula::Formula(const std::string& text, const std::vector<std::string>& variables)
+    : impl_(new Impl{text, {}, std::vector<double>(variables.size(), 1.0)}) {
+  try {
+    impl_->parser.DefineConst("pi", std::numbers::pi);
+    for (std::size_t k = 0; k < variables.size(); ++k) impl_->parser.DefineVar(variables[k], &impl_->values[k]);
+    impl_->parser.SetExpr(text);
+    impl_->parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw InputError(fmt::format("\"{}\" is no formula in {}: {}", text, joined(variables), error.GetMsg()));
+  }
+}
+
+Formula::Formula(Formula&&) noexcept = default;
+Formula::~Formula() = default;
+
+double Formula::operator()(std::initializer_list<double> values) const {
+  std::copy(values.begin(), values.end(), impl_->values.begin());
+  return impl_->parser.Eval();
+}
+
+const std::string& Formula::text() const { return impl_->text; }
+
+}  // namespace packstone::engine

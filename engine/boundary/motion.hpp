@@ -1,0 +1,64 @@
+// How boundaries move.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "engine/boundary/formula.hpp"
+
+namespace packstone::engine {
+
+/// Where a body is: x in the scene's frame goes to centre + shift + turn (x - centre).
+struct Pose {
+  Vec3 centre = Vec3::Zero();  ///< of turning, in the scene's frame [m]
+  Vec3 shift = Vec3::Zero();   ///< [m]
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+
+  Vec3 operator()(const Vec3& x) const { return centre + shift + turn * (x - centre); }
+  /// The way back.
+  Vec3 inverse(const Vec3& x) const { return centre + turn.transpose() * (x - centre - shift); }
+};
+
+/// How fast it goes.
+struct PoseRate {
+  Vec3 velocity = Vec3::Zero();          ///< of the centre [m/s]
+  Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+
+  Vec3 at(const Vec3& x, const Pose& pose) const {
+    return velocity + angular_velocity.cross(x - pose.centre - pose.shift);
+  }
+};
+
+/// The motion that formulas give.
+class Motion {
+ public:
+  /// point: of the boundary, about which it turns unless the scene says otherwise [m]. Throws InputError located in
+  /// the scene.
+  Motion(const Scene& scene, std::size_t boundary, const Vec3& point);
+
+  Pose at(double time) const;
+  /// Rate over the time between two instants [s].
+  PoseRate rate(double before, double after) const;
+  /// The force along the axis of a free body [N].
+  double force(double time) const;
+  /// Whether t is within the motion's time.
+  bool moves(double time) const { return time >= spec_.start && time < end_; }
+  const MotionSpec& spec() const { return spec_; }
+
+ private:
+  double local(double time) const;
+  Vec3 shift(double t) const;
+  double angle(double t) const;
+  double value(const Formula& formula, double t, const char* key) const;
+
+  MotionSpec spec_;
+  std::string name_;
+  double end_;
+  Vec3 centre_, axis_;
+  std::vector<Formula> displacement_;
+  std::optional<Formula> angle_, force_;
+};
+
+}  // namespace packstone::engine
