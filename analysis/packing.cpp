@@ -16,12 +16,12 @@ constexpr double most_blocks = 10;  // of the bulk, for the uncertainty
 const char* const fraction_definition =
     "solid volume (exact sphere slabs, overlaps counted twice) between 10 % and 80 % of bed_height above the floor, "
     "over "
-    "that slab's volume with the domain's cross-section; uncertainty: standard error over equal blocks of the slab, at "
+    "that slab's volume with the bed's cross-section; uncertainty: standard error over equal blocks of the slab, at "
     "least one mean diameter thick";
 const char* const height_definition =
     "height of the bed that holds all solid at bulk_fraction: h = solid_volume / (cross_section * bulk_fraction), "
     "solved "
-    "together with bulk_fraction; above the floor (the highest upward plane, else the domain's lower face)";
+    "together with bulk_fraction; above the floor (the highest flat upward boundary, else the domain's lower face)";
 const char* const periodic_fraction_definition =
     "solid volume (overlaps counted twice) over the volume of the domain, which is periodic along up: no floor, no "
     "surface; uncertainty: standard error over equal horizontal blocks, at least one mean diameter thick";
@@ -55,7 +55,7 @@ Table vertical_profile(const Snapshot& snapshot, const Context& context) {
       volume_by_layer(cut_into_layers(context.frame.height, snapshot.radius, layers, Outside::dropped), layers);
   Table table{.key = "profile",
               .caption =
-                  "Solid fraction by height above the floor: exact sphere slabs over the domain's cross-section "
+                  "Solid fraction by height above the floor: exact sphere slabs over the bed's cross-section "
                   "times the layer's thickness (default one mean radius; at most 2000 layers)",
               .columns = {{"lower", "m"}, {"upper", "m"}, {"fraction"}}};
   for (std::size_t k = 0; k < layers.count; ++k) {
@@ -130,7 +130,8 @@ MeasureResult measure_packing(const Snapshot& snapshot, const Context& context) 
        .label = "cross-section",
        .value = context.frame.area,
        .unit = "m2",
-       .definition = "area of the domain perpendicular to up, whatever boundaries stand in it"});
+       .definition =
+           "area perpendicular to up: the domain's, or that of the narrowest upright cylinder or box boundary"});
   add_overlap_share(result, snapshot, context, solid);
   result.tables.push_back(vertical_profile(snapshot, context));
   return result;

@@ -10,6 +10,10 @@ if(PACKSTONE_NATIVE)
   endif()
 endif()
 
+# Read once a target rather than by each file: half the time of a build goes into them.
+set(PACKSTONE_COMMON_HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <functional> <map> <optional> <string> <vector>
+    <fmt/format.h>)
+
 # packstone_library(NAME SOURCES... ) makes the target packstone_NAME with the alias packstone::NAME and the settings
 # that all parts share. Headers are included as "NAME/header.hpp", from the source tree and from an installation alike.
 function(packstone_compile_settings target)
@@ -37,5 +41,6 @@ function(packstone_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/packstone>)
   packstone_compile_settings(packstone_${name})
+  target_precompile_headers(packstone_${name} PRIVATE ${PACKSTONE_COMMON_HEADERS})
   set_property(GLOBAL APPEND PROPERTY PACKSTONE_LIBRARIES packstone_${name})
 endfunction()

@@ -19,6 +19,10 @@ using enum Presence;
 const ChoiceNames kinds = {"plane", "box", "cylinder", "cone", "funnel", "surface", "polygons", "mesh"};
 
 void describe_motion(OptionVisitor& v, MotionSpec& m) {
+  v.text({"stage",
+          "Name of the [[stage]] in which it moves; it stops with the stage. start and end then count from its "
+          "beginning"},
+         m.stage);
   v.number({"start", "When it begins to move; t of the formulas counts from here", unit::second, Range::at_least(0)},
            m.start, has_default);
   v.number({"end", "When it stops where it then is; never unless given", unit::second, Range::positive()}, m.end);
@@ -28,12 +32,13 @@ void describe_motion(OptionVisitor& v, MotionSpec& m) {
     v.vector({"centre", "A point of the axis; the boundary's point unless given", unit::metre}, m.rotation_centre);
     v.text({"angle", "Formula in t [rad]: \"2*pi*t\" is one turn a second"}, m.angle, required);
   });
-  v.optional_table({"vibration", "Displacement by amplitude sin(2 pi frequency t + phase), less what it is at t = 0"},
-                   m.vibrates, [&] {
-                     v.vector({"amplitude", "Along x, y, z", unit::metre}, m.amplitude, required);
-                     v.number({"frequency", "In Hz", unit::none, Range::positive()}, m.frequency, required);
-                     v.number({"phase", "In rad"}, m.phase, has_default);
-                   });
+  v.optional_table(
+      {"vibration", "Displacement by amplitude sin(2 pi frequency t + phase), less what it is at t = 0"}, m.vibrates,
+      [&] {
+        v.vector({"amplitude", "Along x, y, z", unit::metre}, m.amplitude, required);
+        v.number({"frequency", "Swings a second", unit::frequency, Range::positive()}, m.frequency, required);
+        v.number({"phase", "In rad"}, m.phase, has_default);
+      });
   v.optional_table(
       {"free", "Free to move along an axis, as a punch or a lid: by the contacts, gravity and a force"}, m.free, [&] {
         v.vector({"axis", "Direction of the axis; any length"}, m.free_axis, required);
@@ -139,6 +144,20 @@ void check_motion(const Scene& s, const std::string& path, const MotionSpec& m) 
   }
 }
 
+void check_stages(const Scene& s, const std::string& path, const BoundarySpec& b) {
+  const auto check = [&](const std::string& key, const std::string& name) {
+    const auto is_it = [&](const StageSpec& stage) { return stage.name == name; };
+    if (std::any_of(s.stages.begin(), s.stages.end(), is_it)) return;
+    std::vector<std::string> known;
+    for (const StageSpec& stage : s.stages) known.push_back(stage.name);
+    s.fail(path + key,
+           fmt::format("no stage \"{}\"; {}", name,
+                       known.empty() ? "the scene has no [[stage]] tables" : "there are: " + joined(known)));
+  };
+  for (const std::string& name : b.stages) check(".stages", name);
+  if (b.motion.stage) check(".motion.stage", *b.motion.stage);
+}
+
 /// A boundary that leans towards a periodic side, or turns its end to it, would stand elsewhere in every image.
 void check_periodic(const Scene& s, const Domain& box, const std::string& path, const BoundarySpec& b) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -181,6 +200,7 @@ void describe_boundary(OptionVisitor& v, BoundarySpec& b) {
            {"auto", "inside", "outside", "both"}, b.side, has_default);
   v.number({"from", "Time since when it is there", unit::second, Range::at_least(0)}, b.from, has_default);
   v.number({"until", "Time until when; to the end unless given", unit::second, Range::positive()}, b.until);
+  v.texts({"stages", "Names of the [[stage]] tables in which it is there; in all unless given"}, b.stages);
   v.vector({"point", "A point of the plane; of cylinder, cone and funnel the middle of the lower end", unit::metre},
            b.point);
   v.vector({"normal", "plane: direction from the wall to the particles' side; any length"}, b.normal);
@@ -231,6 +251,9 @@ void check_boundaries(const Scene& s) {
         s.fail(path + ".name", fmt::format("\"{}\" is taken; give each boundary its own name", b.name));
       }
     }
+    if (b.name.find_first_of(",\"\n") != std::string::npos) {
+      s.fail(path + ".name", "holds a comma, quote or line break; it names columns of history.csv");
+    }
     check_keys(s, path, b);
     if (b.until && *b.until <= b.from) s.fail(path + ".until", "must lie after from");
     if (b.normal && b.normal->norm() == 0) s.fail(path + ".normal", "has no length");
@@ -245,6 +268,7 @@ void check_boundaries(const Scene& s) {
     check_round(s, path, b);
     check_polygons(s, path, b);
     check_motion(s, path + ".motion", b.motion);
+    check_stages(s, path, b);
     check_periodic(s, box, path, b);
   }
 }

@@ -20,8 +20,9 @@ enum End { bottom_end, top_end };
 /// How a boundary moves: what is given of it adds up. t in formulas is the time since `start` [s].
 struct MotionSpec {
   bool present = false;
-  double start = 0;           ///< [s]
-  std::optional<double> end;  ///< from when on it stays where it is [s]
+  std::optional<std::string> stage;  ///< in which it moves; start and end then count from that stage's beginning
+  double start = 0;                  ///< [s]
+  std::optional<double> end;         ///< from when on it stays where it is [s]
 
   std::vector<std::string> displacement;  ///< three formulas in t [m]; empty: none
 
@@ -45,10 +46,11 @@ struct MotionSpec {
 struct BoundarySpec {
   std::string name;
   BoundaryKind kind = BoundaryKind::plane;
-  std::string material;         ///< the first material unless given
-  Side side = Side::automatic;  ///< automatic no longer once the scene has been read
-  double from = 0;              ///< since when it is there [s]
-  std::optional<double> until;  ///< [s]
+  std::string material;             ///< the first material unless given
+  Side side = Side::automatic;      ///< automatic no longer once the scene has been read
+  double from = 0;                  ///< since when it is there [s]
+  std::optional<double> until;      ///< [s]
+  std::vector<std::string> stages;  ///< in which it is there; empty: in all
 
   std::optional<Vec3> point;                ///< [m]
   std::optional<Vec3> normal;               ///< of a plane, to the particles' side

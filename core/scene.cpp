@@ -37,14 +37,31 @@ const ChoiceNames output_fields = {"velocity",
                                    "gravitational"};
 const ChoiceNames dynamics_kinds = {"newtonian"};
 
+void describe_rest(OptionVisitor& v, const std::string& what, std::optional<double>& speed, double& time) {
+  const std::string help = fmt::format(
+      "Ends {} when the particles' root-mean-square speed, by mass, has been below this for rest_time, all being in",
+      what);
+  v.number({"rest_speed", help.c_str(), unit::speed, Range::positive()}, speed);
+  v.number({"rest_time", "Goes with rest_speed; seen at each row of history.csv", unit::second, Range::positive()},
+           time, has_default);
+}
+
+void describe_stage(OptionVisitor& v, StageSpec& s) {
+  v.text({"name", "Name that boundaries and motions refer to"}, s.name, required);
+  v.number({"duration", "How long it lasts, at most", unit::second, Range::positive()}, s.duration, required);
+  describe_rest(v, "the stage", s.rest_speed, s.rest_time);
+}
+
 void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
   enum class Kind { newtonian } kind = Kind::newtonian;
   v.choice({"kind", "Equations of motion"}, dynamics_kinds, kind, has_default);
   v.number_or({"time_step", "Time step; \"auto\" takes the recommended share of the stiffest contact's duration",
                unit::second, Range::positive()},
               "auto", d.time_step);
-  v.number({"duration", "Physical time to simulate, filling included", unit::second, Range::positive()}, d.duration,
-           required);
+  v.number({"duration", "Physical time to simulate, filling included; required, unless [[stage]] tables say it",
+            unit::second, Range::positive()},
+           d.duration, has_default);
+  describe_rest(v, "the run", d.rest_speed, d.rest_time);
   v.choice(
       {"contact_velocity",
        "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
@@ -76,6 +93,12 @@ void describe_domain(OptionVisitor& v, DomainSpec& d) {
 void describe_gravity(OptionVisitor& v, GravitySpec& g) {
   v.vector({"acceleration", "Acceleration", unit::acceleration}, g.acceleration, has_default);
   v.number({"start", "Time from which it acts", unit::second, Range::at_least(0)}, g.start, has_default);
+  v.number({"end", "Time until which it acts; to the end unless given", unit::second, Range::positive()}, g.end);
+  v.texts({"formula",
+           "Three formulas in t [s] for its components over time, instead of acceleration, which still says "
+           "where up is",
+           unit::acceleration},
+          g.formula);
 }
 
 void describe_van_der_waals(OptionVisitor& v, VanDerWaalsSpec& w) {
@@ -194,8 +217,8 @@ void describe_filling(OptionVisitor& v, FillingSpec& f) {
       {"kind",
        "How the particles come in. growth: centres at random, radii grow from zero to full size. lattice: at rest on "
        "the sites of a lattice, from the bottom up, groups mixed at random. random: at rest at random places, "
-       "without overlap. file: as a file has them"},
-      {"growth", "lattice", "random", "file"}, f.kind, required);
+       "without overlap. file: as a file has them. pour: over time, at random places of the region"},
+      {"growth", "lattice", "random", "file", "pour"}, f.kind, required);
   v.number({"duration", "growth, required: time it takes", unit::second, Range::positive()}, f.duration);
   v.choice({"lattice", "lattice: simple cubic, body-centred, face-centred or hexagonal close packed"},
            {"cubic", "bcc", "fcc", "hcp"}, f.lattice, has_default);
@@ -212,6 +235,17 @@ void describe_filling(OptionVisitor& v, FillingSpec& f) {
           "file, required: a CSV table, a LAMMPS data file (atom_style sphere, units si) or a packstone snapshot, told "
           "apart by content; relative to the scene file's folder. docs/format.md has the columns"},
          f.path);
+  v.number({"rate", "pour: particles a second; or give portions", unit::frequency, Range::positive()}, f.rate);
+  v.integer({"portions", "pour: number of equal portions, each when the one before has come to rest", unit::none,
+             Range::at_least(1)},
+            f.portions);
+  v.number({"rest_speed", "pour with portions, required: root-mean-square speed below which a portion is at rest",
+            unit::speed, Range::positive()},
+           f.rest_speed);
+  v.vector({"velocity", "pour: with which particles come in", unit::speed}, f.velocity, has_default);
+  v.number({"most_mass", "pour: ends before the mass poured would be more", unit::mass, Range::positive()},
+           f.most_mass);
+  v.number({"fill_height", "pour: ends when the bed is as high", unit::metre, Range::positive()}, f.fill_height);
 }
 
 void describe_output(OptionVisitor& v, OutputSpec& o) {
@@ -235,6 +269,9 @@ void describe_monitor(OptionVisitor& v, MonitorSpec& m) {
 }
 
 void fill_defaults(Scene& s) {
+  if (s.dynamics.duration == 0) {
+    for (const StageSpec& stage : s.stages) s.dynamics.duration += stage.duration;
+  }
   VanDerWaalsSpec& attraction = s.contact.van_der_waals;
   if (attraction.present && !attraction.cutoff) attraction.cutoff = cutoff_over_min_gap * attraction.min_gap;
   for (auto& group : s.particles) {
@@ -288,6 +325,7 @@ void describe(OptionVisitor& v, Scene& s) {
                       s.particles, describe_group);
   v.table({"filling", "How the particles come in"}, required, [&] { describe_filling(v, s.filling); });
   v.tables<BoundarySpec>({"boundary", "Walls"}, 0, s.boundaries, describe_boundary);
+  v.tables<StageSpec>({"stage", "Parts of the run, one after the other"}, 0, s.stages, describe_stage);
   v.table({"output", "What the run folder holds"}, required, [&] { describe_output(v, s.output); });
   v.table({"monitor", "Limits at which a run that goes wrong is stopped"}, has_default,
           [&] { describe_monitor(v, s.monitor); });

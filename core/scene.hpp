@@ -23,7 +23,7 @@ enum class TangentialModel { none, coulomb, haff_werner, cundall_strack, mindlin
 inline bool is_hertzian(NormalModel law) { return law == NormalModel::hertz || law == NormalModel::kuwabara_kono; }
 /// When a contact with a damped normal force is over: with the overlap, or as soon as the force would pull.
 enum class Release { zero_overlap, zero_force };
-enum class FillingKind { growth, lattice, random, file };
+enum class FillingKind { growth, lattice, random, file, pour };
 enum class Lattice { cubic, bcc, fcc, hcp };
 
 /// Faces of the domain through which particles may leave and come back.
@@ -35,8 +35,10 @@ enum class ContactVelocity { automatic, step, half_step };
 enum class Precision { double_precision, mixed };
 
 struct DynamicsSpec {
-  std::optional<double> time_step;  ///< [s]; none: chosen from the stiffest contact
-  double duration = 0;              ///< [s]
+  std::optional<double> time_step;   ///< [s]; none: chosen from the stiffest contact
+  double duration = 0;               ///< [s]; of all stages together, where there are any
+  std::optional<double> rest_speed;  ///< root-mean-square speed of a bed at rest, which ends the run [m/s]
+  double rest_time = 0.01;           ///< for which it stays below [s]
   ContactVelocity contact_velocity = ContactVelocity::automatic;
   Precision precision = Precision::double_precision;
 };
@@ -54,6 +56,16 @@ struct GravitySpec {
   bool present = false;
   Vec3 acceleration = Vec3(0, 0, -9.8);  ///< [m/s2]
   double start = 0;                      ///< [s]
+  std::optional<double> end;             ///< [s]
+  std::vector<std::string> formula;      ///< three formulas in t instead of the acceleration; empty: none
+};
+
+/// A part of the run, which boundaries and their motions may refer to.
+struct StageSpec {
+  std::string name;
+  double duration = 0;               ///< at most [s]
+  std::optional<double> rest_speed;  ///< as in DynamicsSpec; ends the stage
+  double rest_time = 0.01;           ///< [s]
 };
 
 /// Attraction between surfaces, in contact and across a gap.
@@ -108,6 +120,14 @@ struct FillingSpec {
   std::optional<Vec3> region_max;   ///< [m]
   std::optional<std::string> path;  ///< of the file, from the root
 
+  // Pouring.
+  std::optional<double> rate;            ///< [1/s]
+  std::optional<std::int64_t> portions;  ///< each when the one before has come to rest
+  std::optional<double> rest_speed;      ///< below which it has [m/s]
+  Vec3 velocity = Vec3::Zero();          ///< with which particles come in [m/s]
+  std::optional<double> most_mass;       ///< to pour [kg]
+  std::optional<double> fill_height;     ///< of the bed, at which pouring ends [m]
+
   /// When all particles have their full size [s].
   double over() const { return duration.value_or(0); }
 };
@@ -151,6 +171,7 @@ struct Scene {
   std::vector<GroupSpec> particles;
   FillingSpec filling;
   std::vector<BoundarySpec> boundaries;
+  std::vector<StageSpec> stages;
   OutputSpec output;
   MonitorSpec monitor;
 

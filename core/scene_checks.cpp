@@ -1,6 +1,7 @@
 #include "core/scene_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -55,10 +56,36 @@ void check_group_sizes(const Scene& s) {
   }
 }
 
+void check_pouring_keys(const Scene& s) {
+  const FillingSpec& f = s.filling;
+  if (!f.region_min || !f.region_max) {
+    s.fail("filling", "needs region_min and region_max, where particles come in, with kind = \"pour\"");
+  }
+  if (f.rate.has_value() == f.portions.has_value()) {
+    s.fail("filling", "needs either rate, in particles a second, or portions with kind = \"pour\"");
+  }
+  if (f.portions.has_value() != f.rest_speed.has_value()) {
+    s.fail("filling.rest_speed", "goes with portions, and portions with it");
+  }
+}
+
+void refuse_pouring_keys(const Scene& s) {
+  const FillingSpec& f = s.filling;
+  for (const auto& [key, given] : {std::pair{"rate", f.rate.has_value()},
+                                   {"portions", f.portions.has_value()},
+                                   {"rest_speed", f.rest_speed.has_value()},
+                                   {"velocity", !f.velocity.isZero(0)},
+                                   {"most_mass", f.most_mass.has_value()},
+                                   {"fill_height", f.fill_height.has_value()}}) {
+    if (given) s.fail(std::string("filling.") + key, "goes with kind = \"pour\"; leave it out");
+  }
+}
+
 /// Keys of the fillings that place particles of given sizes.
 void check_placing_keys(const Scene& s) {
   const FillingSpec& f = s.filling;
   const std::string kind = f.kind == FillingKind::growth    ? "\"growth\""
+                           : f.kind == FillingKind::pour    ? "\"pour\""
                            : f.kind == FillingKind::lattice ? "\"lattice\""
                                                             : "\"random\"";
   if (f.kind == FillingKind::growth && !f.duration) {
@@ -72,6 +99,7 @@ void check_placing_keys(const Scene& s) {
     refuse_given(s, "filling.spacing", f.spacing.has_value(), kind + "; it goes with \"lattice\"");
   }
   refuse_given(s, "filling.path", f.path.has_value(), kind + "; take kind = \"file\", or leave it out");
+  if (f.kind == FillingKind::pour) check_pouring_keys(s);
   check_group_sizes(s);
 }
 
@@ -94,7 +122,37 @@ void check_file_keys(const Scene& s) {
   }
 }
 
-void check_filling(const Scene& s) { s.filling.kind == FillingKind::file ? check_file_keys(s) : check_placing_keys(s); }
+void check_filling(const Scene& s) {
+  if (s.filling.kind != FillingKind::pour) refuse_pouring_keys(s);
+  s.filling.kind == FillingKind::file ? check_file_keys(s) : check_placing_keys(s);
+}
+
+void check_stages(const Scene& s) {
+  double total = 0;
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < s.stages.size(); ++k) {
+    total += s.stages[k].duration;
+    if (names.insert(s.stages[k].name).second) continue;
+    s.fail(fmt::format("stage[{}].name", k),
+           fmt::format("\"{}\" is taken; give each stage its own name", s.stages[k].name));
+  }
+  if (s.dynamics.duration == 0) s.fail("dynamics", "needs duration [s], or [[stage]] tables with one each");
+  if (s.stages.empty()) return;
+  constexpr double rounding = 1e-9;
+  if (std::abs(s.dynamics.duration - total) > rounding * total) {
+    s.fail("dynamics.duration",
+           fmt::format("{:g} s is not the stages' sum, {:g} s; leave it out", s.dynamics.duration, total));
+  }
+  if (s.dynamics.rest_speed) s.fail("dynamics.rest_speed", "goes into the [[stage]] that it is to end");
+}
+
+void check_gravity(const Scene& s) {
+  const GravitySpec& g = s.gravity;
+  if (g.end && *g.end <= g.start) s.fail("gravity.end", "must lie after start");
+  if (!g.formula.empty() && g.formula.size() != 3) {
+    s.fail("gravity.formula", fmt::format("has {} formulas; three are needed, along x, y, z", g.formula.size()));
+  }
+}
 
 void check_domain(const Scene& s) {
   const DomainSpec& d = s.domain;
@@ -121,6 +179,8 @@ void check(const Scene& scene) {
   check_materials(scene);
   check_filling(scene);
   check_domain(scene);
+  check_stages(scene);
+  check_gravity(scene);
   check_boundaries(scene);
 }
 

@@ -24,6 +24,7 @@ namespace unit {
 inline constexpr Unit none{{}, ""};
 inline constexpr Unit metre{{1, 0, 0}, "m"};
 inline constexpr Unit second{{0, 0, 1}, "s"};
+inline constexpr Unit frequency{{0, 0, -1}, "1/s"};
 inline constexpr Unit density{{-3, 1, 0}, "kg/m3"};
 inline constexpr Unit mass{{0, 1, 0}, "kg"};
 inline constexpr Unit acceleration{{1, 0, -2}, "m/s2"};

@@ -11,9 +11,22 @@
 namespace packstone::engine {
 
 /// Column names with the order of history_row; docs/format.md gives units and definitions.
-const std::vector<std::string>& history_columns();
+std::vector<std::string> history_columns(const Scene& scene);
 
-std::vector<double> history_row(std::int64_t step, double time, const EnergyAccount& account, const StepSums& sums,
-                                double gravitational, const BedState& bed, std::size_t particles);
+/// What a row is made of, at one instant.
+struct HistorySources {
+  std::int64_t step;
+  double time;
+  std::size_t stage;
+  const EnergyAccount& account;
+  const StepSums& sums;
+  double gravitational;  ///< [J]
+  const BedState& bed;
+  std::size_t particles;
+  const std::vector<WallLoad>& wall_loads;
+  const Boundaries& boundaries;
+};
+
+std::vector<double> history_row(const Scene& scene, const HistorySources& from);
 
 }  // namespace packstone::engine

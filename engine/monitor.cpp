@@ -128,7 +128,7 @@ void Monitor::check_energy(const EnergyAccount& account, double time) {
                                                 std::abs(account.gravity_work) + std::abs(account.wall_work));
   const double unfed = account.mechanical() - account.input();  // dissipation can only lower it
   lowest_unfed_ = std::min(lowest_unfed_, unfed);
-  if (unfed - lowest_unfed_ > scene_.monitor.energy_tolerance * largest_input_) {
+  if (unfed - lowest_unfed_ > std::max(scene_.monitor.energy_tolerance * largest_input_, energy_noise_)) {
     throw RunError(fmt::format(
         "t = {:.6g} s: the energy grows: kinetic and elastic energy rose by {:.4g} J that nothing put in, beyond "
         "monitor.energy_tolerance = {:g} of the {:.4g} J put in so far; {}",

@@ -31,9 +31,10 @@ struct EnergyAccount {
 
 class Monitor {
  public:
-  /// dt: the run's time step, recommended_dt: the one that its messages advise [s].
-  Monitor(const Scene& scene, const Domain& domain, double dt, double recommended_dt)
-      : scene_(scene), domain_(domain), dt_(dt), recommended_dt_(recommended_dt) {}
+  /// dt: the run's time step, recommended_dt: the one that its messages advise [s]; energy_noise: below which energies
+  /// are rounding [J].
+  Monitor(const Scene& scene, const Domain& domain, double dt, double recommended_dt, double energy_noise)
+      : scene_(scene), domain_(domain), dt_(dt), recommended_dt_(recommended_dt), energy_noise_(energy_noise) {}
 
   /// Every position is a number and inside the domain, but for open faces, and nothing goes so far in a step that it
   /// could go through a boundary. Throws RunError naming the particle.
@@ -62,6 +63,7 @@ class Monitor {
   Domain domain_;
   double dt_;
   double recommended_dt_;
+  double energy_noise_;
   double largest_input_ = 0;  ///< [J]
   double lowest_unfed_ = 0;   ///< least of mechanical energy less input so far [J]
 };

@@ -39,6 +39,18 @@ void check_periodic_sides(const Scene& scene, const Domain& domain, double large
   }
 }
 
+/// Those that are there when the run begins.
+StartingState first_particles(const Scene& scene, const Boundaries& boundaries, Pouring* pouring) {
+  if (!pouring) return fill(scene, scene.box(), boundaries);
+  StartingState first = pouring->take(0, 0, Particles{}, boundaries);
+  if (first.size() == 0) {
+    scene.fail("filling",
+               "no particle found a place in the region that it is to be poured from: boundaries leave no room "
+               "in it, or it is smaller than a particle");
+  }
+  return first;
+}
+
 /// Solid volume over the domain's: the fraction where the domain repeats along up and there is no bed.
 double solid_share(const Snapshot& s) {
   double solid = 0;
@@ -66,32 +78,44 @@ Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene) : Simulation(scene, Boundaries(scene, scene.box())) {}
+Simulation::Simulation(const Scene& scene)
+    : Simulation(scene, Boundaries(scene, scene.box()),
+                 scene.filling.kind == FillingKind::pour ? std::make_unique<Pouring>(scene) : nullptr) {}
 
-Simulation::Simulation(const Scene& scene, Boundaries&& boundaries)
-    : Simulation(scene, std::move(boundaries), fill(scene, scene.box(), boundaries)) {}
+Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring)
+    : Simulation(scene, std::move(boundaries), std::move(pouring), first_particles(scene, boundaries, pouring.get())) {}
 
-Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, const StartingState& start)
-    : population_(population_of(scene, start)),
+Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring,
+                       const StartingState& start)
+    : population_(population_of(scene, pouring ? pouring->all() : start)),
       limit_(engine::step_limit(scene, population_)),
       dt_(checked_time_step(scene, limit_, warnings_)),
       scene_(with_choices_made(scene, dt_, limit_)),
       domain_(scene.box()),
       filling_hash_(start.source_hash),
       boundaries_(std::move(boundaries)),
+      gravity_(scene),
+      pouring_(std::move(pouring)),
+      stages_(scene, dt_),
       particles_(make_particles(scene_, start)),
       dynamics_(make_newtonian(scene, domain_, boundaries_)),
-      monitor_(scene_, domain_, dt_, limit_.recommended) {
+      monitor_(scene_, domain_, dt_, limit_.recommended, energy_noise()) {
   check_periodic_sides(scene, domain_, largest_radius(population_));
   warn_of_lost_weight(scene, population_, warnings_);
   warn_without_static_friction(scene, population_, warnings_);
   scene_text_ = to_toml(scene_);
   scene_hash_ = packstone::scene_hash(scene_);
-  steps_ = std::max<std::int64_t>(1, std::llround(scene.dynamics.duration / dt_));
   for (const auto& [path, interval] : {std::pair{"output.interval", scene.output.interval},
                                        {"output.history_interval", scene.output.history_interval}}) {
     if (interval < dt_) scene.fail(path, fmt::format("{:g} s is shorter than the time step, {:g} s", interval, dt_));
   }
+}
+
+double Simulation::energy_noise() const {
+  constexpr double slowest = 1e-9;                                                            // radii a step
+  const double fall = scene_.gravity.present ? dt_ * scene_.gravity.acceleration.norm() : 0;  // in one step
+  const double speed = slowest * smallest_radius(population_) / dt_ + fall;
+  return 0.5 * total_mass() * speed * speed;
 }
 
 double Simulation::total_mass() const { return std::accumulate(particles_.mass.begin(), particles_.mass.end(), 0.0); }
@@ -119,15 +143,15 @@ void Simulation::account(const StepSums& sums, double share) {
   account_.wall_work += share * sums.wall_work;
 }
 
-StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
+StepSums Simulation::step(std::int64_t number, bool poured, Recorder* recorder) {
   const double time = time_at(number);
   const Stopwatch clock;
   StepInput input{dt_, growth_at(scene_, time), Vec3::Zero(), scene_.monitor.overlap_limit, 0.0};
   if (scene_.dynamics.contact_velocity == ContactVelocity::step) input.velocity_lead = 0.5 * dt_;
-  if (scene_.gravity.present && time >= scene_.gravity.start) input.gravity = scene_.gravity.acceleration;
+  input.gravity = gravity_.at(time);
   boundaries_.go_to(time, dt_, input.velocity_lead);
   monitor_.check_boundaries(boundaries_, smallest_radius(population_), time);
-  if (dynamics_->outdated(input.growth)) {
+  if (poured || dynamics_->outdated(input.growth)) {
     monitor_.check_positions(particles_, time);
     const Stopwatch list_clock;
     dynamics_->rebuild(particles_, input.growth, dt_);
@@ -140,14 +164,42 @@ StepSums Simulation::step(std::int64_t number, Recorder* recorder) {
   return sums;
 }
 
+bool Simulation::pour(double time) {
+  if (!pouring_ || time == 0) return false;
+  const StartingState more = pouring_->take(time, dt_, particles_, boundaries_);
+  append_particles(particles_, scene_, more);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    account_.starting += 0.5 * particles_.mass[particles_.slots() - more.size() + i] * more.velocity[i].squaredNorm();
+  }
+  return more.size() > 0;
+}
+
+void Simulation::begin_stage(std::int64_t number) {
+  stages_.next(number);
+  boundaries_.begin_stage(scene_.stages[stages_.current()].name, time_at(number));
+}
+
+void Simulation::check_poured(std::int64_t number) const {
+  if (!pouring_ || pouring_->over()) return;
+  throw RunError(
+      fmt::format("t = {:.6g} s: {} of the {} particles have been poured by the end; the others found no room "
+                  "in the region{}: enlarge it, let particles leave it faster (filling.velocity), run longer, "
+                  "or take fewer",
+                  time_at(number), pouring_->poured(), pouring_->all().size(),
+                  scene_.filling.portions ? ", or wait for the last portion to come to rest" : ""));
+}
+
 void Simulation::run(const SimulationEvents& events) {
   const std::int64_t snapshot_steps = steps_in(scene_.output.interval);
   const std::int64_t history_steps = steps_in(scene_.output.history_interval);
   Recorder recorder;
-  for (std::int64_t number = 0; number <= steps_; ++number) {
+  if (!scene_.stages.empty()) boundaries_.begin_stage(scene_.stages.front().name, 0);
+  for (std::int64_t number = 0;; ++number) {
     steps_done_ = number;
+    if (number == stages_.end() && !stages_.is_last()) begin_stage(number);
+    const bool poured = pour(time_at(number));
     const bool stop = events.should_stop && events.should_stop();
-    const bool last = stop || number == steps_;
+    const bool last = stop || number == stages_.end();
     const bool want_snapshot = last || number % snapshot_steps == 0;
     const bool want_history = want_snapshot || number % history_steps == 0;
     if (want_history) {
@@ -160,11 +212,15 @@ void Simulation::run(const SimulationEvents& events) {
       recorder.elastic.assign(want_snapshot && wants(output_elastic) ? particles_.size() : 0, 0.0);
       recorder.contacts = {};
     }
-    const StepSums sums = step(number, want_history ? &recorder : nullptr);
+    const StepSums sums = step(number, poured, want_history ? &recorder : nullptr);
     if (number > 0) account(sums, 0.5);  // the rates of an instant count half before it and half after
     if (want_history) record(number, sums, recorder, want_snapshot, events);
-    if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps_, time_at(number));
+    if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps(), time_at(number));
     if (stop) throw Interrupted(fmt::format("stopped at t = {:.6g} s, step {}", time_at(number), number));
+    if (last) {
+      check_poured(number);
+      return;
+    }
     account(sums, 0.5);
     account_.gravity_work += sums.gravity_work;  // done between this instant and the next
     std::swap(particles_.now, particles_.next);
@@ -182,17 +238,22 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   const double time = time_at(number);
   monitor_.check_positions(particles_, time);
   monitor_.check_energy(account, time);
-  if (number == steps_) monitor_.check_account(account, warnings_);
+  if (number == stages_.last_step()) monitor_.check_account(account, warnings_);
+  const Snapshot bed = geometry(number);
+  const BedFrame frame = bed_frame(bed);
+  const std::vector<double> potential = gravitational_energies(particles_, bed, frame, gravity_.acts(time));
+  const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
+  const BedState state =
+      frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
+  const double speed = std::sqrt(2 * sums.kinetic_translational / total_mass());
+  if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, speed);
+  const bool all_in = time >= scene_.filling.over() && (!pouring_ || pouring_->over()) &&
+                      (!scene_.gravity.present || gravity_.acts(time));
+  stages_.see(number, speed, all_in);
   if (events.history) {
-    const Snapshot bed = geometry(number);
-    const BedFrame frame = bed_frame(bed);
-    const bool acts = scene_.gravity.present && time >= scene_.gravity.start;
-    const std::vector<double> potential = gravitational_energies(particles_, bed, frame, acts);
-    const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
-    const BedState state =
-        frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
-    events.history(history_columns(),
-                   history_row(number, time, account, sums, gravitational, state, particles_.size()));
+    events.history(history_columns(scene_),
+                   history_row(scene_, {number, time, stages_.current(), account, sums, gravitational, state,
+                                        particles_.size(), dynamics_->wall_loads(), boundaries_}));
   }
   if (want_snapshot && events.snapshot) events.snapshot(snapshot(number, recorder));
 }
@@ -227,7 +288,7 @@ Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) con
     s.type[particles_.id[slot]] = particles_.type[slot];
     s.material[particles_.id[slot]] = particles_.material[slot];
   }
-  const FieldSources sources{particles_, recorder, s, scene_.gravity.present && s.time >= scene_.gravity.start};
+  const FieldSources sources{particles_, recorder, s, gravity_.acts(s.time)};
   for (const int field : scene_.output.fields) add_field(s.fields, static_cast<OutputField>(field), sources);
   if (scene_.output.contacts) {
     s.contacts = recorder.contacts;

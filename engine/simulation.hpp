@@ -10,8 +10,11 @@
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "engine/dynamics/step.hpp"
+#include "engine/filling/pouring.hpp"
 #include "engine/filling/starting_state.hpp"
+#include "engine/gravity.hpp"
 #include "engine/monitor.hpp"
+#include "engine/stages.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -46,7 +49,8 @@ class Simulation {
   double solid_volume() const;
   /// content_hash of the file the particles came from; empty for growth.
   const std::string& filling_hash() const { return filling_hash_; }
-  std::int64_t steps() const { return steps_; }
+  /// Unless rest ends a stage before its time.
+  std::int64_t steps() const { return stages_.last_step(); }
   /// How far run() has come.
   std::int64_t steps_done() const { return steps_done_; }
   /// Wall time spent in steps, lists of neighbours included, files and measures not [s].
@@ -57,15 +61,23 @@ class Simulation {
   std::int64_t list_builds() const { return dynamics_->neighbours().builds(); }
 
  private:
-  Simulation(const Scene& scene, Boundaries&& boundaries);
+  Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring);
   /// The start is needed no longer than here: the particles take over.
-  Simulation(const Scene& scene, Boundaries&& boundaries, const StartingState& start);
+  Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring,
+             const StartingState& start);
 
+  /// Of particles that hardly move, whatever pushes them [J].
+  double energy_noise() const;
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   std::int64_t steps_in(double interval) const;
   bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
-  StepSums step(std::int64_t number, Recorder* recorder);
+  /// poured: particles have come in since the step before.
+  StepSums step(std::int64_t number, bool poured, Recorder* recorder);
+  /// Whether particles came in.
+  bool pour(double time);
+  void begin_stage(std::int64_t number);
+  void check_poured(std::int64_t number) const;
   void record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
               const SimulationEvents& events);
   Snapshot snapshot(std::int64_t number, const Recorder& recorder) const;
@@ -82,7 +94,9 @@ class Simulation {
   std::string scene_hash_;
   std::string filling_hash_;
   Boundaries boundaries_;
-  std::int64_t steps_ = 0;
+  Gravity gravity_;
+  std::unique_ptr<Pouring> pouring_;  ///< none where all particles are there from the start
+  Stages stages_;
   std::int64_t steps_done_ = 0;
   double loop_seconds_ = 0;
   double list_seconds_ = 0;

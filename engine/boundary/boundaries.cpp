@@ -21,12 +21,13 @@ Vec3 point_of(const BoundarySpec& b) {
 }  // namespace
 
 Boundaries::Boundaries(const Scene& scene, const Domain& domain) : specs_(scene.boundaries), domain_(domain) {
+  if (!scene.stages.empty()) stage_ = scene.stages.front().name;
   for (std::size_t k = 0; k < specs_.size(); ++k) {
     const BoundarySpec& spec = specs_[k];
     Body body;
     body.shape = make_shape(scene, k, domain);
     body.material = scene.material_index(spec.material);
-    body.present = spec.from == 0;
+    body.present = is_there(spec, 0);
     if (spec.motion.present) {
       body.motion.emplace(scene, k, point_of(spec));
       body.pose = body.motion->at(0);
@@ -45,10 +46,22 @@ double Boundaries::farthest_point(const Body& body) const {
   return (middle - domain_.min).cwiseAbs().cwiseMax((middle - domain_.max).cwiseAbs()).norm();
 }
 
+bool Boundaries::is_there(const BoundarySpec& spec, double time) const {
+  const bool in_stage = spec.stages.empty() || std::count(spec.stages.begin(), spec.stages.end(), stage_) > 0;
+  return in_stage && time >= spec.from && (!spec.until || time < *spec.until);
+}
+
+void Boundaries::begin_stage(const std::string& stage, double time) {
+  stage_ = stage;
+  for (Body& body : bodies_) {
+    if (body.motion) body.motion->begin_stage(stage, time);
+  }
+}
+
 void Boundaries::go_to(double time, double dt, double velocity_lead) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& body = bodies_[k];
-    body.present = time >= specs_[k].from && (!specs_[k].until || time < *specs_[k].until);
+    body.present = is_there(specs_[k], time);
     if (!body.moves) continue;
     body.pose = body.motion->at(time);
     PoseRate last = body.motion->rate(time - dt, time);

@@ -66,6 +66,9 @@ class Boundaries {
     return boxes.cwiseProduct(domain_.size());
   }
 
+  /// Tells which of the scene's stages begins, and when [s].
+  void begin_stage(const std::string& stage, double time);
+
   /// Brings all to an instant. velocity_lead: as in StepInput. Throws RunError where a formula gives no number.
   void go_to(double time, double dt, double velocity_lead);
 
@@ -83,12 +86,14 @@ class Boundaries {
 
  private:
   double farthest_point(const Body& body) const;
+  bool is_there(const BoundarySpec& spec, double time) const;
   bool along_periodic_axes(int shift) const;
 
   std::vector<BoundarySpec> specs_;
   Domain domain_;
   std::vector<Body> bodies_;
   bool any_moves_ = false;
+  std::string stage_;
 };
 
 }  // namespace packstone::engine

@@ -13,31 +13,36 @@ namespace packstone::engine {
 
 namespace {
 
-Formula formula_of(const Scene& scene, const std::string& path, const std::string& text) {
-  try {
-    return Formula(text, {"t"});
-  } catch (const InputError& error) {
-    scene.fail(path, error.what());
-  }
-}
+constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 Motion::Motion(const Scene& scene, std::size_t boundary, const Vec3& point)
     : spec_(scene.boundaries[boundary].motion),
       name_(scene.boundaries[boundary].name),
-      end_(spec_.end.value_or(std::numeric_limits<double>::infinity())),
+      start_(spec_.stage ? never : spec_.start),
+      end_(spec_.stage ? never : spec_.end.value_or(never)),
       centre_(spec_.rotation_centre.value_or(point)),
       axis_(spec_.rotation_axis.normalized()) {
   const std::string path = fmt::format("boundary[{}].motion", boundary);
   for (const std::string& text : spec_.displacement) {
-    displacement_.push_back(formula_of(scene, path + ".displacement", text));
+    displacement_.push_back(formula_of(scene, path + ".displacement", text, {"t"}));
   }
-  if (spec_.rotates) angle_.emplace(formula_of(scene, path + ".rotation.angle", spec_.angle));
-  if (spec_.free) force_.emplace(formula_of(scene, path + ".free.force", spec_.force));
+  if (spec_.rotates) angle_.emplace(formula_of(scene, path + ".rotation.angle", spec_.angle, {"t"}));
+  if (spec_.free) force_.emplace(formula_of(scene, path + ".free.force", spec_.force, {"t"}));
 }
 
-double Motion::local(double time) const { return std::clamp(time, spec_.start, end_) - spec_.start; }
+void Motion::begin_stage(const std::string& stage, double time) {
+  if (!spec_.stage) return;
+  if (stage == *spec_.stage) {
+    start_ = time + spec_.start;
+    end_ = spec_.end ? time + *spec_.end : never;
+  } else {
+    end_ = std::min(end_, time);  // at rest where its own stage has left it
+  }
+}
+
+double Motion::local(double time) const { return start_ < end_ ? std::clamp(time, start_, end_) - start_ : 0; }
 
 double Motion::value(const Formula& formula, double t, const char* key) const {
   const double result = formula({t});

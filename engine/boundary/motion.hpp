@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene.hpp"
-#include "engine/boundary/formula.hpp"
+#include "engine/formula.hpp"
 
 namespace packstone::engine {
 
@@ -38,13 +38,16 @@ class Motion {
   /// the scene.
   Motion(const Scene& scene, std::size_t boundary, const Vec3& point);
 
+  /// Tells which stage begins, and when [s].
+  void begin_stage(const std::string& stage, double time);
+
   Pose at(double time) const;
   /// Rate over the time between two instants [s].
   PoseRate rate(double before, double after) const;
   /// The force along the axis of a free body [N].
   double force(double time) const;
   /// Whether t is within the motion's time.
-  bool moves(double time) const { return time >= spec_.start && time < end_; }
+  bool moves(double time) const { return time >= start_ && time < end_; }
   const MotionSpec& spec() const { return spec_; }
 
  private:
@@ -55,7 +58,7 @@ class Motion {
 
   MotionSpec spec_;
   std::string name_;
-  double end_;
+  double start_, end_;  ///< [s]; not yet known where its stage is still to come
   Vec3 centre_, axis_;
   std::vector<Formula> displacement_;
   std::optional<Formula> angle_, force_;

@@ -11,7 +11,7 @@
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "core/text_lines.hpp"
-#include "engine/boundary/formula.hpp"
+#include "engine/formula.hpp"
 
 namespace packstone::engine {
 
@@ -56,13 +56,7 @@ std::vector<double> evenly(double low, double high, std::int64_t cells) {
 TriangleSurface surface_of_formula(const Scene& scene, const std::string& path, const std::string& text,
                                    double tolerance) {
   const Domain box = scene.box();
-  const auto formula = [&] {
-    try {
-      return Formula(text, {"x", "y"});
-    } catch (const InputError& error) {
-      scene.fail(path + ".formula", error.what());
-    }
-  }();
+  const Formula formula = formula_of(scene, path + ".formula", text, {"x", "y"});
   const auto value = [&](double x, double y) {
     const double z = formula({x, y});
     if (std::isfinite(z)) return z;

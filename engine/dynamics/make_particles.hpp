@@ -12,4 +12,7 @@ namespace packstone::engine {
 /// particles hold them apart from what contacts see unless the scene's contact_velocity is half_step.
 Particles make_particles(const Scene& scene, const StartingState& start);
 
+/// More of them, with the ids that follow; the list must be built anew before anything else.
+void append_particles(Particles& particles, const Scene& scene, const StartingState& more);
+
 }  // namespace packstone::engine

@@ -44,7 +44,7 @@ class NewtonianStep final : public Dynamics {
   bool outdated(const Growth& growth) const override { return list_.outdated(growth) || walls_.outdated(list_); }
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override {
-    if (list_.builds() == 0) look_whether_alike(particles);
+    if (seen_ != particles.size()) look_whether_alike(particles);
     if (remembers()) {
       const StoredContacts stored = history_.store(list_, walls_, particles);
       list_.build(particles, growth, dt);
@@ -81,15 +81,19 @@ class NewtonianStep final : public Dynamics {
 
   /// One radius, mass and material: then the loop over neighbours need not look them up.
   void look_whether_alike(const Particles& p) {
-    const Row& model = p.now.rows.front();
+    seen_ = p.size();
+    const auto first = static_cast<std::size_t>(
+        std::find_if(p.id.begin(), p.id.end(), [](std::int32_t id) { return id != Particles::no_particle; }) -
+        p.id.begin());
+    const Row& model = p.now.rows[first];
     alike_ = true;
-    for (std::size_t s = 0; s < p.slots(); ++s) {
+    for (std::size_t s = first; s < p.slots(); ++s) {
       if (!p.is_particle(s)) continue;
       const Row& row = p.now.rows[s];
       alike_ = alike_ && row.radius == model.radius && row.inverse_mass == model.inverse_mass &&
-               p.material[s] == p.material.front();
+               p.material[s] == p.material[first];
     }
-    if (alike_) forces_.set_material_of_alike(p.material.front());
+    if (alike_) forces_.set_material_of_alike(p.material[first]);
   }
 
   template <bool record, bool alike>
@@ -389,6 +393,7 @@ class NewtonianStep final : public Dynamics {
   std::vector<WallContacts<Lanes>> wall_contacts_;  ///< one a thread
   std::vector<WallLoad> block_loads_, wall_loads_;  ///< (blocks, boundaries); (boundaries)
   bool alike_ = false;
+  std::size_t seen_ = 0;  ///< particles when it was looked
   ContactHistory<typename Precision::Number> history_;
   std::vector<BlockResult> results_;
 };

@@ -15,6 +15,8 @@ StartingState fill(const Scene& scene, const Domain& domain, const Boundaries& b
       return lattice_particles(scene, domain, boundaries);
     case FillingKind::random:
       return randomly_placed_particles(scene, domain, boundaries);
+    case FillingKind::pour:
+      return {};  // they come in over time: Pouring
     case FillingKind::growth:
       break;
   }

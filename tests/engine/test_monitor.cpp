@@ -63,7 +63,7 @@ TEST_CASE("a particle thrown high above an open lid comes back when gravity pull
     const Domain box = scene.box();
     const Vec3 above(0.1, 0.1, box.max[2] + 3 * box.size()[2]);
     const Particles p = make_particles(scene, {{above}, {Vec3::Zero()}, {Vec3::Zero()}, {0.02}, {0}, ""});
-    Monitor(scene, box, 1e-5, 1e-5).check_positions(p, 0.5);
+    Monitor(scene, box, 1e-5, 1e-5, 0).check_positions(p, 0.5);
   };
   CHECK_NOTHROW(high({}));
   CHECK_THROWS_WITH(high({"gravity.acceleration=[9.8, 0, 0]"}), Contains("nothing pulls it back"));
@@ -71,7 +71,7 @@ TEST_CASE("a particle thrown high above an open lid comes back when gravity pull
 
 TEST_CASE("a position or an energy that is not a number is reported") {
   const Scene scene = parse_scene(small_scene, "s.toml");
-  Monitor monitor(scene, scene.box(), 1e-5, 1e-5);
+  Monitor monitor(scene, scene.box(), 1e-5, 1e-5, 0);
   const Particles p = make_particles(scene, {{Vec3(0.1, 0.1, 0.1), Vec3(0.1, std::nan(""), 0.1)},
                                              {Vec3::Zero(), Vec3::Zero()},
                                              {Vec3::Zero(), Vec3::Zero()},

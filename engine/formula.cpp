@@ -1,6 +1,7 @@
-#include "engine/boundary/formula.hpp"
+#include "engine/formula.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -21,6 +22,8 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& variab
     : impl_(new Impl{text, {}, std::vector<double>(variables.size(), 1.0)}) {
   try {
     impl_->parser.DefineConst("pi", std::numbers::pi);
+    impl_->parser.DefineFun("floor", [](double x) { return std::floor(x); });
+    impl_->parser.DefineFun("mod", [](double x, double period) { return x - period * std::floor(x / period); });
     for (std::size_t k = 0; k < variables.size(); ++k) impl_->parser.DefineVar(variables[k], &impl_->values[k]);
     impl_->parser.SetExpr(text);
     impl_->parser.Eval();
@@ -38,5 +41,14 @@ double Formula::operator()(std::initializer_list<double> values) const {
 }
 
 const std::string& Formula::text() const { return impl_->text; }
+
+Formula formula_of(const Scene& scene, const std::string& path, const std::string& text,
+                   const std::vector<std::string>& variables) {
+  try {
+    return Formula(text, variables);
+  } catch (const InputError& error) {
+    scene.fail(path, error.what());
+  }
+}
 
 }  // namespace packstone::engine

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/scene.hpp"
+
 namespace packstone::engine {
 
-/// Knows pi beside muParser's own functions: sin, exp, sqrt, abs, min, max, "t<1 ? a : b" and the like. Not for several
+/// Knows pi, floor(x) and mod(x, period) beside muParser's own functions: sin, exp, sqrt, abs, min, max, "t<1 ? a : b" and the like. Not for several
 /// threads at a time.
 class Formula {
  public:
@@ -26,5 +28,9 @@ class Formula {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The formula of a key; throws InputError located there.
+Formula formula_of(const Scene& scene, const std::string& path, const std::string& text,
+                   const std::vector<std::string>& variables);
 
 }  // namespace packstone::engine

@@ -1,0 +1,42 @@
+#include "engine/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace packstone::engine {
+
+Stages::Stages(const Scene& scene, double dt) {
+  const auto steps_in = [dt](double time) { return std::max<std::int64_t>(1, std::llround(time / dt)); };
+  for (const StageSpec& stage : scene.stages) {
+    stages_.push_back({steps_in(stage.duration), steps_in(stage.rest_time), stage.rest_speed.value_or(0)});
+  }
+  const DynamicsSpec& run = scene.dynamics;
+  if (stages_.empty()) {
+    stages_.push_back({steps_in(run.duration), steps_in(run.rest_time), run.rest_speed.value_or(0)});
+  }
+  end_ = stages_.front().steps;
+}
+
+std::int64_t Stages::last_step() const {
+  std::int64_t step = end_;
+  for (std::size_t k = current_ + 1; k < stages_.size(); ++k) step += stages_[k].steps;
+  return step;
+}
+
+void Stages::next(std::int64_t step) {
+  ++current_;
+  end_ = step + stages_[current_].steps;
+  resting_since_ = -1;
+}
+
+void Stages::see(std::int64_t step, double speed, bool all_in) {
+  const Stage& stage = stages_[current_];
+  if (!all_in || !(speed < stage.rest_speed)) {
+    resting_since_ = -1;
+    return;
+  }
+  if (resting_since_ < 0) resting_since_ = step;
+  if (step - resting_since_ >= stage.rest_steps) end_ = std::min(end_, step + 1);
+}
+
+}  // namespace packstone::engine

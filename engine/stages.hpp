@@ -1,0 +1,41 @@
+// The stages of a run, which end after their time or when the bed has come to rest.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace packstone::engine {
+
+/// Counts steps. A scene without stages has one, the run.
+class Stages {
+ public:
+  Stages(const Scene& scene, double dt);
+
+  std::size_t current() const { return current_; }
+  bool is_last() const { return current_ + 1 == stages_.size(); }
+  /// Step with which the current one ends.
+  std::int64_t end() const { return end_; }
+  /// Step with which the run ends, unless rest ends a stage before its time.
+  std::int64_t last_step() const;
+
+  /// Begins the next one at a step.
+  void next(std::int64_t step);
+
+  /// At a step at which the particles' root-mean-square speed [m/s] is known; all_in: none is still to come.
+  void see(std::int64_t step, double speed, bool all_in);
+
+ private:
+  struct Stage {
+    std::int64_t steps, rest_steps;
+    double rest_speed;  ///< 0: none
+  };
+
+  std::vector<Stage> stages_;
+  std::size_t current_ = 0;
+  std::int64_t end_;
+  std::int64_t resting_since_ = -1;  ///< step; -1: does not rest
+};
+
+}  // namespace packstone::engine
