@@ -59,6 +59,7 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
   events.should_stop = control.should_stop;
 
   const auto finish = [&](RunStatus status, const std::string& reason) {
+    record.particles = simulation.present_count();
     record.steps = simulation.steps_done();
     record.status = status;
     record.reason = reason;

@@ -118,10 +118,16 @@ double Simulation::energy_noise() const {
   return 0.5 * total_mass() * speed * speed;
 }
 
-double Simulation::total_mass() const { return std::accumulate(particles_.mass.begin(), particles_.mass.end(), 0.0); }
+double Simulation::present_mass() const { return std::accumulate(particles_.mass.begin(), particles_.mass.end(), 0.0); }
+
+double Simulation::total_mass() const { return pouring_ ? pouring_->total_mass() : present_mass(); }
 
 double Simulation::solid_volume() const {
   double total = 0;
+  if (pouring_) {
+    for (const double radius : pouring_->all().radius) total += sphere_volume(radius);
+    return total;
+  }
   for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
     if (particles_.is_particle(slot)) total += sphere_volume(particles_.now.rows[slot].radius);
   }
@@ -245,7 +251,7 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
   const BedState state =
       frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
-  const double speed = std::sqrt(2 * sums.kinetic_translational / total_mass());
+  const double speed = std::sqrt(2 * sums.kinetic_translational / present_mass());
   if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, speed);
   const bool all_in = time >= scene_.filling.over() && (!pouring_ || pouring_->over()) &&
                       (!scene_.gravity.present || gravity_.acts(time));

@@ -41,10 +41,15 @@ class Simulation {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// The scene as it is run: "auto" replaced by what was chosen.
   const Scene& scene() const { return scene_; }
-  std::int64_t particle_count() const { return static_cast<std::int64_t>(particles_.size()); }
+  /// Those still to be poured included.
+  std::int64_t particle_count() const {
+    return static_cast<std::int64_t>(pouring_ ? pouring_->all().size() : particles_.size());
+  }
+  /// Those that are in.
+  std::int64_t present_count() const { return static_cast<std::int64_t>(particles_.size()); }
   const Population& population() const { return population_; }
   const StepLimit& step_limit() const { return limit_; }
-  /// Of all particles [kg], and their volume at full size [m3].
+  /// Of all particles, those still to be poured included [kg], and their volume at full size [m3].
   double total_mass() const;
   double solid_volume() const;
   /// content_hash of the file the particles came from; empty for growth.
@@ -68,6 +73,8 @@ class Simulation {
 
   /// Of particles that hardly move, whatever pushes them [J].
   double energy_noise() const;
+  /// Of the particles that are in [kg].
+  double present_mass() const;
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   std::int64_t steps_in(double interval) const;
   bool wants(OutputField field) const;

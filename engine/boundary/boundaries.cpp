@@ -105,21 +105,22 @@ bool Boundaries::along_periodic_axes(int shift) const {
   return true;
 }
 
-double Boundaries::clearance(const Vec3& p) const {
-  double nearest = std::numeric_limits<double>::infinity();
+bool Boundaries::leave_room(const Vec3& p, double reach) const {
   for (const Body& body : bodies_) {
     if (!body.present) continue;
-    if (!body.shape.allows(body.inside(p))) return -std::numeric_limits<double>::infinity();
-    for_each_image(
-        body, p, [&](const Vec3& image, int) { nearest = std::min(nearest, body.shape.distance(body.inside(image))); });
+    bool near = false;
+    for_each_image(body, p, [&](const Vec3& image, int) {
+      body.shape.for_each_near(body.inside(image), reach, [&](std::int32_t) { near = true; });
+    });
+    if (near || !body.shape.allows(body.inside(p))) return false;
   }
-  return nearest;
+  return true;
 }
 
 std::optional<std::size_t> Boundaries::plane_before(const Vec3& p) const {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Body& body = bodies_[k];
-    if (body.present && body.shape.is_plane() && body.shape.distance(body.inside(p)) <= 0) return k;
+    if (body.present && body.shape.is_plane() && body.shape.distance(0, body.inside(p)) <= 0) return k;
   }
   return std::nullopt;
 }

@@ -75,8 +75,8 @@ class Boundaries {
   /// Moves free bodies on by a step, from the loads of the instant.
   void push(const std::vector<WallLoad>& loads, const Vec3& gravity, double time, double dt);
 
-  /// Distance of a point from the nearest that is there at the start; below 0 where a filling may not put it [m].
-  double clearance(const Vec3& p) const;
+  /// Whether a filling may put a sphere about p: all that are there now are farther than reach [m].
+  bool leave_room(const Vec3& p, double reach) const;
 
   /// The first plane that a point is behind.
   std::optional<std::size_t> plane_before(const Vec3& p) const;

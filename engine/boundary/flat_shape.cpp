@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rounding = 1e-9;          ///< of lengths, as a share of the surface's size
 constexpr double flat_cosine = 1 - 1e-9;   ///< sides of triangles that lie in one plane within 5e-5 rad are no edges
-constexpr double polygon_flatness = 1e-6;  ///< of a polygon, as a share of its size
+constexpr double polygon_flatness = 1e-3;  ///< of a polygon, as a share of its size
 
 using Side = std::array<std::int32_t, 2>;
 

@@ -222,18 +222,6 @@ std::int8_t Shape::side_of(std::int32_t piece, const Vec3& p) const { return std
 
 double Shape::distance(std::int32_t piece, const Vec3& p) const { return std::visit(Distance{p}, pieces[piece]); }
 
-double Shape::distance(const Vec3& p) const {
-  if (is_plane()) return distance(0, p);
-  constexpr double widening = 4;
-  const double size = (tree_.extent().high - tree_.extent().low).norm();
-  double reach = tree_.extent().distance(p) + size / static_cast<double>(pieces.size());
-  for (;; reach *= widening) {
-    double nearest = std::numeric_limits<double>::infinity();
-    tree_.for_each_near(p, reach, [&](std::int32_t piece) { nearest = std::min(nearest, distance(piece, p)); });
-    if (nearest <= reach) return nearest;
-  }
-}
-
 bool Shape::allows(const Vec3& p) const {
   if (side == Side::both) return true;
   return (encloses ? encloses(p) : covered(p)) == (side == Side::inside);

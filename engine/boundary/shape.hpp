@@ -33,9 +33,6 @@ class Shape {
     });
   }
 
-  /// Distance of the nearest piece; signed from a plane, unsigned from others [m].
-  double distance(const Vec3& p) const;
-
   /// Whether a straight line from p down meets an odd number of triangles: p is within a closed surface, or above one
   /// that covers the ground.
   bool covered(const Vec3& p) const;

@@ -31,7 +31,12 @@ void WallList::find_pieces(const Boundaries::Body& body, std::int16_t number, co
     const Vec3 inside = body.inside(image), inside_before = body.inside(before + (image - p));
     const std::size_t first = entries.size();
     body.shape.for_each_near(inside, reach, [&](std::int32_t piece) {
-      entries.push_back({piece, number, static_cast<std::int8_t>(shift), body.shape.side_of(piece, inside_before)});
+      WallEntry entry{piece, number, static_cast<std::int8_t>(shift), body.shape.side_of(piece, inside_before), {}};
+      Touch touch;
+      if (body.shape.touch(piece, inside_before, reach, entry.side, touch)) {
+        entry.set_normal(body.moves ? Vec3(body.pose.turn * touch.normal) : touch.normal);
+      }
+      entries.push_back(entry);
     });
     std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
               [](const WallEntry& a, const WallEntry& b) { return a.piece < b.piece; });
@@ -65,7 +70,7 @@ void WallList::find(const NeighbourList& list, const Particles& p, double dt, st
       } else if (body.shape.distance(0, body.inside(position)) <= reach_of(slot)) {
         if (!any) found.entries.resize(row + width_);
         any = true;
-        found.entries[row + lane] = {0, number, Boundaries::no_shift, 1};
+        found.entries[row + lane] = {0, number, Boundaries::no_shift, 1, {}};
       }
     }
     if (any) found.planes.push_back(static_cast<std::int32_t>(k));

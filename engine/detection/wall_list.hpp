@@ -1,6 +1,7 @@
 // Which pieces of boundaries each particle may touch, in rows beside those of the neighbour list.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,8 +19,13 @@ struct WallEntry {
   std::int16_t body = 0;
   std::int8_t shift = Boundaries::no_shift;  ///< image of the body
   std::int8_t side = 1;                      ///< of the piece that the particle is on; changes as it goes round an edge
+  std::array<float, 3> normal = {};          ///< when they last faced each other; 0: never
 
   bool there() const { return piece != none; }
+  void set_normal(const Vec3& n) {
+    for (int k = 0; k < 3; ++k) normal[k] = static_cast<float>(n[k]);
+  }
+  Vec3 last_normal() const { return {normal[0], normal[1], normal[2]}; }
 };
 
 /// Some particles side by side, one a lane, as motion takes them: a group of the neighbour list or a part of one.

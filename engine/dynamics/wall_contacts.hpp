@@ -83,7 +83,7 @@ class WallContacts {
     for (; twice != 0; twice &= twice - 1) keep_deepest(seat.rows, std::countr_zero(twice));
   }
 
-  /// What a contact has kept follows it from one piece of a boundary to the next.
+  /// What a contact has kept follows it from one piece of a boundary to the next, but not round a corner.
   template <int most_kept, class Number>
   void pass_on(const WallList& list, const WallSeat& seat, std::uint32_t lanes, int count,
                ContactMemory<Number>& memory) const {
@@ -94,7 +94,10 @@ class WallContacts {
         if (!touches(k) || memory.touched(seat.first_row + k, lane)) continue;
         for (int from = 0; from < seat.rows; ++from) {
           if (touches(from) || !memory.touched(seat.first_row + from, lane)) continue;
-          if (list.row(seat.first_row + from)[lane].body != list.row(seat.first_row + k)[lane].body) continue;
+          const WallEntry &old_one = list.row(seat.first_row + from)[lane],
+                          &new_one = list.row(seat.first_row + k)[lane];
+          if (old_one.body != new_one.body) continue;
+          if (old_one.last_normal().dot(rows_[k].normal.get(lane)) < same_contact) continue;
           std::array<double, most_kept> kept;
           memory.get(seat.first_row + from, lane, count, kept.data());
           memory.set(seat.first_row + k, lane, count, kept.data());
@@ -162,6 +165,7 @@ class WallContacts {
         row.velocity.set(lane, body.rate.at(image - touch.distance * touch.normal, body.pose));
       }
       row.normal.set(lane, touch.normal);
+      if (overlap > 0) entry.set_normal(touch.normal);
       if (turns) row.turning.set(lane, turning(body, touch, lane_of<L>(self.velocity, lane) - row.velocity.get(lane)));
     }
   }

@@ -24,7 +24,7 @@ Vec3 random_position(const Scene& scene, const Domain& domain, const Boundaries&
   for (int trial = 0; trial < placement_trials; ++trial) {
     Vec3 p;
     for (int k = 0; k < 3; ++k) p[k] = random.uniform(low[k], high[k]);
-    if (boundaries.clearance(p) > 0) return p;
+    if (boundaries.leave_room(p, 0)) return p;
   }
   scene.fail("filling", fmt::format("no place for particle {}: the boundaries cut off nearly all of the region; check "
                                     "each boundary's point and the direction of its normal",

@@ -17,7 +17,7 @@ bool has_room(const Vec3& p, double radius, const Region& region, const Domain& 
     if (whole_period) continue;
     if (p[axis] - reach < region.min[axis] || p[axis] + reach > region.max[axis]) return false;
   }
-  return boundaries.clearance(p) >= reach;
+  return boundaries.leave_room(p, reach);
 }
 
 StartingState unplaced_particles(const Scene& scene) {

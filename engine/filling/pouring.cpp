@@ -108,7 +108,7 @@ StartingState Pouring::take(double time, double dt, const Particles& particles, 
     Vec3 p;
     for (int trial = 0; trial < most_trials && !found; ++trial) {
       for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(region.min[axis], region.max[axis]);
-      found = has_room(p, radius, region, domain_, boundaries) && placed.touches_none(p, radius);
+      found = placed.touches_none(p, radius) && has_room(p, radius, region, domain_, boundaries);
     }
     if (!found) break;  // until there is room
     placed.add(p, radius);

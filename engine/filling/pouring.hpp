@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "core/bed_frame.hpp"
@@ -19,6 +20,7 @@ class Pouring {
 
   /// All that are to be poured, in the order in which they come: groups mixed at random by the seed. Without places.
   const StartingState& all() const { return all_; }
+  double total_mass() const { return std::accumulate(mass_.begin(), mass_.end(), 0.0); }  ///< of all [kg]
   bool over() const { return over_ || poured_ == all_.size(); }
   std::size_t poured() const { return poured_; }
 

@@ -34,7 +34,7 @@ StartingState randomly_placed_particles(const Scene& scene, const Domain& domain
     for (int trial = 0; trial < most_trials && !found; ++trial) {
       Vec3 p;
       for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(region.min[axis], region.max[axis]);
-      found = has_room(p, radius, region, domain, boundaries) && placed.touches_none(p, radius);
+      found = placed.touches_none(p, radius) && has_room(p, radius, region, domain, boundaries);
       if (found) start.position[id] = domain.wrapped(p);
     }
     if (!found) {

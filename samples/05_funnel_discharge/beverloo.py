@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Discharge over five openings, and the power it follows: beverloo.py PACKSTONE [FOLDER]
 
 Beverloo, Leniger & van de Velde, Chem. Eng. Sci. 15 (1961) 260: the flow through an opening D wide of beads d wide goes

@@ -7,4 +7,4 @@ folder=${2:-runs/10_heap}
 
 "$packstone" run "$here/scene.toml" -o "$folder" --overwrite
 "$packstone" render "$folder" -o "$folder/heap.png"
-python3 "$here/slope.py" "$folder"
+/usr/bin/python3 "$here/slope.py" "$folder"

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The slope of a heap on a plate: slope.py RUN
 
 The highest point of any sphere in rings about the axis, a straight line through those between a quarter and three

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The floor's load beside the weight above it, and Janssen's law: janssen.py RUN
 
 F = W (1 - exp(-w/W)): w the weight poured, W what the floor bears at most (Janssen, Z. VDI 39 (1895) 1045). Each portion counts

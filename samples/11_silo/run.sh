@@ -7,4 +7,4 @@ folder=${2:-runs/11_silo}
 
 "$packstone" run "$here/scene.toml" -o "$folder" --overwrite
 "$packstone" render "$folder" -o "$folder/silo.png"
-python3 "$here/janssen.py" "$folder"
+/usr/bin/python3 "$here/janssen.py" "$folder"

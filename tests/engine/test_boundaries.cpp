@@ -354,9 +354,34 @@ TEST_CASE("a grid file is joined up, and one with a hole is refused") {
     return Boundaries(scene, scene.box());
   };
   const double slope = std::atan(0.2);
-  CHECK(built().clearance(Vec3(0.4, 0.5, 0.5)) == Approx((0.5 - 0.2) * std::cos(slope)).epsilon(1e-12));
+  const double distance = (0.5 - 0.2) * std::cos(slope);
+  CHECK(built().leave_room(Vec3(0.4, 0.5, 0.5), 0.999999 * distance));
+  CHECK_FALSE(built().leave_room(Vec3(0.4, 0.5, 0.5), 1.000001 * distance));
+  CHECK_FALSE(built().leave_room(Vec3(0.4, 0.5, 0.1), 0.01));  // below it
   std::ofstream(path) << "x,y,z\n0,0,0.1\n1,0,0.1\n0,1,0.3\n";
   CHECK_THROWS_WITH(built(), Contains("do not fill a grid"));
   std::ofstream(path) << "x,y,z\n0,0,0.1\n1,0,nan\n0,1,0.3\n";
   CHECK_THROWS_WITH(built(), Contains("grid.csv:3") && Contains("not a finite number"));
+}
+
+TEST_CASE("what a contact keeps does not follow a sphere round a corner") {
+  // It leaves one wall and touches the other in the same step, with a spring that lies almost across the other.
+  const Scene scene =
+      contact_scene(rough, grips, false, boundary("kind = \"box\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n"));
+  constexpr double overlap = 1e-5;
+  HandMade run(scene, {{Vec3(radius - overlap, radius + overlap, 0.5), Vec3(0, 0.05, 5e-5), radius}}, 1e-5,
+               ContactVelocity::half_step);
+  for (int n = 0; n < 5; ++n) run.step();
+  run.hold(0, Vec3(radius + overlap, radius - overlap, 0.5));
+  Recorder recorder;
+  recorder.want_contacts = true;
+  recorder.velocity.resize(1);
+  recorder.angular_velocity.resize(1);
+  recorder.force.resize(1);
+  const StepSums sums = run.step(&recorder);
+  REQUIRE(recorder.contacts.size() == 1);
+  const Vec3 force = recorder.contacts.force[0];
+  CHECK(force.y() == Approx(1e6 * overlap).epsilon(1e-6));
+  CHECK(std::hypot(force.x(), force.z()) < 1e-12);
+  CHECK(std::abs(sums.dissipated()) < 1e-12);
 }

@@ -40,6 +40,15 @@ Nearest nearest(const Shape& shape, const Vec3& p) {
   return found;
 }
 
+/// Of its pieces' distances, each as if it were alone.
+double least_distance(const Shape& shape, const Vec3& p) {
+  double least = far_away;
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(shape.pieces.size()); ++k) {
+    least = std::min(least, shape.distance(k, p));
+  }
+  return least;
+}
+
 Shape shape_from(const std::string& boundary) {
   const Scene scene =
       contact_scene("normal = \"linear\"\n", "restitution = 0.5\n", false, "[[boundary]]\nname = \"b\"\n" + boundary);
@@ -80,7 +89,7 @@ TEST_CASE("a box is as far as the formula says, inside, outside, at edges and co
     const Vec3 p = random_point(random, -0.2, 1.2);
     const Nearest found = nearest(shape, p);
     REQUIRE(found.distance == Approx(box_distance(min, max, p)).epsilon(1e-12));
-    REQUIRE(shape.distance(p) == Approx(found.distance).epsilon(1e-12));
+    REQUIRE(least_distance(shape, p) == Approx(found.distance).epsilon(1e-12));
     // A step along the normal leads straight away from it.
     REQUIRE(box_distance(min, max, p - 0.5 * found.distance * found.normal) ==
             Approx(0.5 * found.distance).epsilon(1e-9));
@@ -100,7 +109,7 @@ TEST_CASE("a surface of triangles is as far as the nearest of its points") {
     const double sampled = sampled_distance(s, p);
     REQUIRE(nearest(shape, p).distance == Approx(sampled).margin(1e-4));
     REQUIRE(nearest(shape, p).distance <= sampled + 1e-12);
-    REQUIRE(shape.distance(p) == Approx(nearest(shape, p).distance).epsilon(1e-12));
+    REQUIRE(least_distance(shape, p) == Approx(nearest(shape, p).distance).epsilon(1e-12));
   }
 }
 
@@ -114,7 +123,7 @@ TEST_CASE("a cylinder with a lid is as far as its profile says") {
     const double wall = std::hypot(r - 0.3, std::max({0.2 - z, z - 0.8, 0.0}));
     const double lid = std::hypot(std::max(r - 0.3, 0.0), z - 0.2);
     REQUIRE(nearest(shape, p).distance == Approx(std::min(wall, lid)).margin(1e-14));
-    REQUIRE(shape.distance(p) == Approx(std::min(wall, lid)).margin(1e-14));
+    REQUIRE(least_distance(shape, p) == Approx(std::min(wall, lid)).margin(1e-14));
     REQUIRE(shape.allows(p) == (r < 0.3 && z >= 0.2));
   }
 }
@@ -134,7 +143,7 @@ TEST_CASE("round shapes about a tilted axis are as far as their facets, within t
   Random random(4, RandomStream::filling_position, 0);
   for (int n = 0; n < 1000; ++n) {
     const Vec3 p = random_point(random, -0.2, 1.2);
-    REQUIRE(nearest(shape, p).distance == Approx(flat.distance(p)).margin(1.0001 * sagitta));
+    REQUIRE(nearest(shape, p).distance == Approx(least_distance(flat, p)).margin(1.0001 * sagitta));
   }
 }
 

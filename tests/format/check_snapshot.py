@@ -13,7 +13,10 @@ REQUIRED = {
     "/VTKHDF/FieldData/time": ("f8", 1), "/VTKHDF/FieldData/step": ("i8", 1), "/contacts/pair": ("i8", 2),
     "/contacts/force": ("f8", 2), "/contacts/normal": ("f8", 2), "/contacts/overlap": ("f8", 1),
     "/contacts/point": ("f8", 2), "/contacts/slid": ("u1", 1), "/boundaries/point": ("f8", 2),
-    "/boundaries/normal": ("f8", 2), "/scene/group_density": ("f8", 1), "/packstone/format_version": ("i8", 1),
+    "/boundaries/normal": ("f8", 2), "/boundaries/axis": ("f8", 2), "/boundaries/cross_section": ("f8", 1),
+    "/boundaries/one_sided": ("u1", 1), "/boundaries/surface_points": ("f8", 2),
+    "/boundaries/surface_triangles": ("i4", 2), "/boundaries/surface_first_point": ("i8", 1),
+    "/boundaries/surface_first_triangle": ("i8", 1), "/scene/group_density": ("f8", 1), "/packstone/format_version": ("i8", 1),
     "/packstone/domain": ("f8", 2), "/packstone/periodic": ("u1", 1), "/packstone/gravity": ("f8", 1),
     "/packstone/chunk_first_row": ("i8", 1), "/packstone/chunk_bounds": ("f8", 2),
 }
