@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "engine/threads.hpp"
 
@@ -26,20 +27,19 @@ WallList::WallList(const Boundaries& boundaries, int width) : boundaries_(bounda
 }
 
 void WallList::find_pieces(const Boundaries::Body& body, std::int16_t number, const Vec3& p, const Vec3& before,
-                           double reach, std::vector<WallEntry>& entries) const {
+                           double reach, double touching, std::vector<WallEntry>& entries) const {
   boundaries_.for_each_image(body, p, [&](const Vec3& image, int shift) {
     const Vec3 inside = body.inside(image), inside_before = body.inside(before + (image - p));
-    const std::size_t first = entries.size();
     body.shape.for_each_near(inside, reach, [&](std::int32_t piece) {
-      WallEntry entry{piece, number, static_cast<std::int8_t>(shift), body.shape.side_of(piece, inside_before), {}};
+      WallEntry entry{piece, number, static_cast<std::int8_t>(shift), body.shape.side_of(piece, inside_before), {}, 0};
       Touch touch;
       if (body.shape.touch(piece, inside_before, reach, entry.side, touch)) {
         entry.set_normal(body.moves ? Vec3(body.pose.turn * touch.normal) : touch.normal);
       }
+      // Rounded down, so that none is taken for farther than it is.
+      entry.gap = std::nextafter(static_cast<float>(body.shape.distance(piece, inside) - touching), -1.0f);
       entries.push_back(entry);
     });
-    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
-              [](const WallEntry& a, const WallEntry& b) { return a.piece < b.piece; });
   });
 }
 
@@ -50,9 +50,9 @@ void WallList::find(const NeighbourList& list, const Particles& p, double dt, st
   const int lanes = group.shared ? (part == 0 ? 1 : 0) : width_;
   found.lanes.resize(width_);
   for (auto& entries : found.lanes) entries.clear();
+  const auto touching = [&](std::size_t slot) { return list.largest_scale() * p.now.rows[slot].radius + list.range(); };
   const auto reach_of = [&](std::size_t slot) {
-    const double margin = 1 / std::sqrt(list.inverse_margin_squared()[slot]);
-    return list.largest_scale() * p.now.rows[slot].radius + list.range() + margin + margin_;
+    return touching(slot) + 1 / std::sqrt(list.inverse_margin_squared()[slot]) + margin_;
   };
   const auto slot_of = [&](int lane) { return static_cast<std::size_t>(group.slot + part * width_ + lane); };
   for (std::size_t k = 0; k < boundaries_.size(); ++k) {
@@ -66,17 +66,23 @@ void WallList::find(const NeighbourList& list, const Particles& p, double dt, st
       const Vec3& position = p.now.rows[slot].position;
       if (!body.shape.is_plane()) {
         const Vec3 before = position - dt * p.half_step_velocity(slot);
-        find_pieces(body, number, position, before, reach_of(slot), found.lanes[lane]);
+        find_pieces(body, number, position, before, reach_of(slot), touching(slot), found.lanes[lane]);
       } else if (body.shape.distance(0, body.inside(position)) <= reach_of(slot)) {
         if (!any) found.entries.resize(row + width_);
         any = true;
-        found.entries[row + lane] = {0, number, Boundaries::no_shift, 1, {}};
+        found.entries[row + lane] = {0, number, Boundaries::no_shift, 1, {}, 0};
       }
     }
     if (any) found.planes.push_back(static_cast<std::int32_t>(k));
   }
+  // The nearest first: then most rows need no look as long as particles have hardly moved.
   std::size_t longest = 0;
-  for (const auto& entries : found.lanes) longest = std::max(longest, entries.size());
+  for (auto& entries : found.lanes) {
+    std::sort(entries.begin(), entries.end(), [](const WallEntry& a, const WallEntry& b) {
+      return std::tie(a.gap, a.body, a.piece, a.shift) < std::tie(b.gap, b.body, b.piece, b.shift);
+    });
+    longest = std::max(longest, entries.size());
+  }
   for (std::size_t k = 0; k < longest; ++k) {
     for (const auto& entries : found.lanes) found.entries.push_back(k < entries.size() ? entries[k] : WallEntry{});
     found.planes.push_back(-1);
@@ -120,12 +126,16 @@ void WallList::build(const NeighbourList& list, const Particles& particles, doub
   }
 }
 
-bool WallList::outdated(const NeighbourList& list) const {
+double WallList::travelled() const {
+  double farthest = 0;
   for (std::size_t k = 0; k < travelled_.size(); ++k) {
-    const double next = boundaries_[k].travelled - travelled_[k];
-    if (!(next + list.common_displacement() <= margin_)) return true;
+    farthest = std::max(farthest, boundaries_[k].travelled - travelled_[k]);
   }
-  return false;
+  return farthest;
+}
+
+bool WallList::outdated(const NeighbourList& list) const {
+  return !(travelled() + list.common_displacement() <= margin_);
 }
 
 }  // namespace packstone::engine

@@ -20,6 +20,7 @@ struct WallEntry {
   std::int8_t shift = Boundaries::no_shift;  ///< image of the body
   std::int8_t side = 1;                      ///< of the piece that the particle is on; changes as it goes round an edge
   std::array<float, 3> normal = {};          ///< when they last faced each other; 0: never
+  float gap = 0;  ///< between surfaces when the list was built, ranges of attraction taken off [m]
 
   bool there() const { return piece != none; }
   void set_normal(const Vec3& n) {
@@ -48,6 +49,8 @@ class WallList {
   /// Seats of a group, which its lanes are divided into.
   int parts() const { return parts_; }
   const WallSeat& seat(std::size_t group, int part) const { return seats_[group * parts_ + part]; }
+  /// How far any boundary has gone since the list was built, at most [m].
+  double travelled() const;
   std::int64_t rows() const { return static_cast<std::int64_t>(planes_.size()); }
   WallEntry* row(std::int64_t row) { return entries_.data() + row * width_; }
   const WallEntry* row(std::int64_t row) const { return entries_.data() + row * width_; }
@@ -67,8 +70,9 @@ class WallList {
 
   void find(const NeighbourList& list, const Particles& p, double dt, std::size_t group, int part, Found& found) const;
   /// before: where the particle was a step ago; on which side of a piece, decides: it may have gone through since.
+  /// touching: distance at which it touches a piece, reach: up to which pieces are listed [m].
   void find_pieces(const Boundaries::Body& body, std::int16_t number, const Vec3& p, const Vec3& before, double reach,
-                   std::vector<WallEntry>& entries) const;
+                   double touching, std::vector<WallEntry>& entries) const;
 
   const Boundaries& boundaries_;
   int width_;

@@ -331,8 +331,12 @@ class NewtonianStep final : public Dynamics {
     using Real = typename L::Real;
     WallContacts<Lanes>& contacts = wall_contacts_[static_cast<std::size_t>(omp_get_thread_num())];
     const bool turns = Tangential::active && in.velocity_lag() > 0;
-    contacts.template find<L>(boundaries_, walls_, seats.walls, seats.lanes, self, in.growth.scale, forces_.range(),
-                              turns);
+    const VectorArray& then = list_.reference();
+    const simd::Vector<Real> moved =
+        self.position -
+        simd::Vector<Real>{L::load(&then.x[seats.slot]), L::load(&then.y[seats.slot]), L::load(&then.z[seats.slot])};
+    contacts.template find<L>(boundaries_, walls_, seats.walls, seats.lanes, self, moved, in.growth.scale,
+                              forces_.range(), turns);
     if constexpr (Forces::may_remember) {
       if (remembers()) {
         contacts.template pass_on<Forces::most_kept>(walls_, seats.walls, seats.lanes, forces_.kept(), history_.walls);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "engine/detection/wall_list.hpp"
@@ -62,10 +64,13 @@ class WallContacts {
   const WallRow<Lanes>& row(int k) const { return rows_[k]; }
   WallRow<Lanes>& row(int k) { return rows_[k]; }
 
-  /// turns: whether the normals' turning is wanted. range: of attraction [m].
+  /// moved: how far from where the list was built [m]. turns: whether the normals' turning is wanted. range: of
+  /// attraction [m].
   template <class L>
   void find(const Boundaries& boundaries, WallList& list, const WallSeat& seat, std::uint32_t lanes,
-            const Bodies<L>& self, double scale, double range, bool turns) {
+            const Bodies<L>& self, const simd::Vector<typename L::Real>& moved, double scale, double range,
+            bool turns) {
+    find_free_way<L>(self, squared_length(moved), list.travelled(), scale);
     if (rows_.size() < static_cast<std::size_t>(seat.rows)) rows_.resize(seat.rows);
     std::uint32_t once = 0, twice = 0;  // lanes near to one piece, to several
     for (int k = 0; k < seat.rows; ++k) {
@@ -109,6 +114,18 @@ class WallContacts {
   }
 
  private:
+  /// Pieces that were farther off than a particle can have come since need no look. One that has come far gets all of
+  /// them: it may have gone round an edge.
+  template <class L>
+  void find_free_way(const Bodies<L>& self, const typename L::Real& squared, double travelled, double scale) {
+    constexpr double far = 0.5;  // radii
+    for (int lane = 0; lane < L::width; ++lane) {
+      const double moved = std::sqrt(L::lane(squared, lane)) + travelled;
+      const bool is_far = !(moved < far * scale * L::lane(self.radius, lane));
+      moved_[lane] = is_far ? std::numeric_limits<double>::infinity() : moved;
+    }
+  }
+
   template <class L>
   void find_plane(const Boundaries::Body& body, std::uint32_t lanes, const Bodies<L>& self, double scale, double range,
                   WallRow<Lanes>& row) const {
@@ -146,7 +163,7 @@ class WallContacts {
       row.velocity.set(lane, Vec3::Zero());
       row.turning.set(lane, Vec3::Zero());
       WallEntry& entry = entries[lane];
-      if (!entry.there() || (lanes >> lane & 1u) == 0) continue;
+      if (!entry.there() || entry.gap > moved_[lane] || (lanes >> lane & 1u) == 0) continue;
       const Boundaries::Body& body = boundaries[entry.body];
       if (!body.present) continue;
       const Vec3 position = lane_of<L>(self.position, lane);
@@ -190,6 +207,7 @@ class WallContacts {
   }
 
   std::vector<WallRow<Lanes>> rows_;
+  std::array<double, Lanes::width> moved_;  ///< since the list was built [m]
 };
 
 }  // namespace packstone::engine
