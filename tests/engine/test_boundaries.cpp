@@ -385,3 +385,32 @@ TEST_CASE("what a contact keeps does not follow a sphere round a corner") {
   CHECK(std::hypot(force.x(), force.z()) < 1e-12);
   CHECK(std::abs(sums.dissipated()) < 1e-12);
 }
+
+TEST_CASE("a wall is what a big heavy sphere comes to") {
+  const std::string law = GENERATE("linear", "hertz");
+  INFO(law);
+  constexpr double small = 1e-3, big = 0.45, speed = 0.5, dt = 2e-7;
+  const std::string material = "restitution = 0.6\nyoung_modulus = 1e8\npoisson_ratio = 0.3\n";
+  const auto rebound = [&](bool wall) {
+    const Scene scene =
+        contact_scene("normal = \"" + law + "\"\n", material, false,
+                      wall ? boundary("kind = \"plane\"\npoint = [0, 0, 0.95]\nnormal = [0, 0, 1]\n") : "");
+    std::vector<Sphere> spheres = {{Vec3(0.5, 0.5, 0.95 + 1.01 * small), Vec3(0, 0, -speed), small}};
+    if (!wall) spheres.push_back({Vec3(0.5, 0.5, 0.5), Vec3::Zero(), big});
+    HandMade run(scene, spheres, dt);
+    double lowest = 1;
+    int steps = 0;
+    for (; run.velocity(0).z() <= 0 || run.position(0).z() < 0.95 + small; ++steps) {
+      REQUIRE(steps < 100000);
+      run.step();
+      lowest = std::min(lowest, run.position(0).z());
+    }
+    return Vec3(run.velocity(0).z(), lowest - 0.95, steps * dt);
+  };
+  const Vec3 plane = rebound(true), sphere = rebound(false);
+  const double stiffer = law == "hertz" ? small / big : 1e-6;  // R_eff of the pair is less by their ratio
+  CHECK(sphere[0] == Approx(plane[0]).epsilon(1e-3));
+  CHECK(plane[0] == Approx(0.6 * speed).epsilon(0.03));
+  CHECK(small - sphere[1] == Approx(small - plane[1]).epsilon(stiffer + 1e-4));
+  CHECK(sphere[2] == Approx(plane[2]).epsilon(stiffer + 2e-3));
+}
