@@ -317,7 +317,14 @@ class NewtonianStep final : public Dynamics {
                                      const StepInput& in, Recorder* recorder, WallLoad* loads_on_walls,
                                      LaneSums<L>& sums, BlockResult& result) {
     if (seats.walls.rows > 0) {
-      wall_forces<record>(p, seats, self, in, recorder, loads_on_walls, loads, sums.walls, result);
+      // Copies, so that what the loop keeps in registers needs no address.
+      const Bodies<L> bodies = self;
+      Loads<L> with_walls = loads;
+      ContactSums<typename L::Real> contacts;
+      wall_forces<record>(p, seats, bodies, in, recorder, loads_on_walls, with_walls, contacts, result);
+      loads = with_walls;
+      constexpr SumsInUse in_use{Normal::plastic, true, Tangential::active, record};
+      sums.walls.template add<in_use>(contacts);
     }
     move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, L::mask(seats.lanes), in,
                                                             recorder, sums);

@@ -70,7 +70,9 @@ class WallContacts {
   void find(const Boundaries& boundaries, WallList& list, const WallSeat& seat, std::uint32_t lanes,
             const Bodies<L>& self, const simd::Vector<typename L::Real>& moved, double scale, double range,
             bool turns) {
-    find_free_way<L>(self, squared_length(moved), list.travelled(), scale);
+    if (seat.rows > 0 && list.plane(seat.first_row + seat.rows - 1) < 0) {  // planes come first
+      find_free_way<L>(self, squared_length(moved), list.travelled(), scale);
+    }
     if (rows_.size() < static_cast<std::size_t>(seat.rows)) rows_.resize(seat.rows);
     std::uint32_t once = 0, twice = 0;  // lanes near to one piece, to several
     for (int k = 0; k < seat.rows; ++k) {
