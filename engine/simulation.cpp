@@ -138,10 +138,6 @@ bool Simulation::wants(OutputField field) const {
   return std::count(scene_.output.fields.begin(), scene_.output.fields.end(), field) > 0;
 }
 
-std::int64_t Simulation::steps_in(double interval) const {
-  return std::max<std::int64_t>(1, std::llround(interval / dt_));
-}
-
 void Simulation::account(const StepSums& sums, double share) {
   account_.dissipated_normal += share * sums.dissipated_normal;
   account_.dissipated_tangential += share * sums.dissipated_tangential;
@@ -196,8 +192,8 @@ void Simulation::check_poured(std::int64_t number) const {
 }
 
 void Simulation::run(const SimulationEvents& events) {
-  const std::int64_t snapshot_steps = steps_in(scene_.output.interval);
-  const std::int64_t history_steps = steps_in(scene_.output.history_interval);
+  const std::int64_t snapshot_steps = steps_in(scene_.output.interval, dt_);
+  const std::int64_t history_steps = steps_in(scene_.output.history_interval, dt_);
   Recorder recorder;
   if (!scene_.stages.empty()) boundaries_.begin_stage(scene_.stages.front().name, 0);
   for (std::int64_t number = 0;; ++number) {

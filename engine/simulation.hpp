@@ -76,7 +76,6 @@ class Simulation {
   /// Of the particles that are in [kg].
   double present_mass() const;
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
-  std::int64_t steps_in(double interval) const;
   bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
   /// poured: particles have come in since the step before.

@@ -5,14 +5,15 @@
 
 namespace packstone::engine {
 
+std::int64_t steps_in(double time, double dt) { return std::max<std::int64_t>(1, std::llround(time / dt)); }
+
 Stages::Stages(const Scene& scene, double dt) {
-  const auto steps_in = [dt](double time) { return std::max<std::int64_t>(1, std::llround(time / dt)); };
   for (const StageSpec& stage : scene.stages) {
-    stages_.push_back({steps_in(stage.duration), steps_in(stage.rest_time), stage.rest_speed.value_or(0)});
+    stages_.push_back({steps_in(stage.duration, dt), steps_in(stage.rest_time, dt), stage.rest_speed.value_or(0)});
   }
   const DynamicsSpec& run = scene.dynamics;
   if (stages_.empty()) {
-    stages_.push_back({steps_in(run.duration), steps_in(run.rest_time), run.rest_speed.value_or(0)});
+    stages_.push_back({steps_in(run.duration, dt), steps_in(run.rest_time, dt), run.rest_speed.value_or(0)});
   }
   end_ = stages_.front().steps;
 }

@@ -8,6 +8,9 @@
 
 namespace packstone::engine {
 
+/// Steps of dt [s] that a time [s] takes, one at least.
+std::int64_t steps_in(double time, double dt);
+
 /// Counts steps. A scene without stages has one, the run.
 class Stages {
  public:

@@ -31,7 +31,7 @@ Boundaries::Boundaries(const Scene& scene, const Domain& domain) : specs_(scene.
     if (spec.motion.present) {
       body.motion.emplace(scene, k, point_of(spec));
       body.pose = body.motion->at(0);
-      body.moves = any_moves_ = true;
+      body.moves = true;
     }
     bodies_.push_back(std::move(body));
   }

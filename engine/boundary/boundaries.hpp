@@ -47,7 +47,6 @@ class Boundaries {
 
   std::size_t size() const { return bodies_.size(); }
   const Body& operator[](std::size_t k) const { return bodies_[k]; }
-  bool any_moves() const { return any_moves_; }
 
   /// visit(image) for p and, of a body that stands in every image of a periodic domain, p's neighbouring images.
   template <class Visit>
@@ -92,7 +91,6 @@ class Boundaries {
   std::vector<BoundarySpec> specs_;
   Domain domain_;
   std::vector<Body> bodies_;
-  bool any_moves_ = false;
   std::string stage_;
 };
 

@@ -48,7 +48,6 @@ class Motion {
   double force(double time) const;
   /// Whether t is within the motion's time.
   bool moves(double time) const { return time >= start_ && time < end_; }
-  const MotionSpec& spec() const { return spec_; }
 
  private:
   double local(double time) const;

@@ -46,8 +46,7 @@ class WallList {
   bool outdated(const NeighbourList& list) const;
 
   int width() const { return width_; }
-  /// Seats of a group, which its lanes are divided into.
-  int parts() const { return parts_; }
+  /// Of a group, whose lanes are divided into parts as wide as lanes of motion.
   const WallSeat& seat(std::size_t group, int part) const { return seats_[group * parts_ + part]; }
   /// How far any boundary has gone since the list was built, at most [m].
   double travelled() const;

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "engine/detection/neighbour_list.hpp"
-#include "engine/detection/wall_list.hpp"
 #include "engine/dynamics/contact_forces.hpp"
 #include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/particles.hpp"
@@ -19,7 +18,6 @@ namespace packstone::engine {
 struct Seats {
   std::int32_t slot;    ///< of the first
   std::uint32_t lanes;  ///< bits of those that hold a particle
-  WallSeat walls;       ///< their rows of the wall list
 
   template <class Lanes>
   static constexpr std::uint32_t all = (1u << Lanes::width) - 1;

@@ -54,7 +54,7 @@ class NewtonianStep final : public Dynamics {
       list_.build(particles, growth, dt);
       walls_.build(list_, particles, dt);
     }
-    wall_contacts_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    wall_sides_.resize(static_cast<std::size_t>(omp_get_max_threads()));
     block_loads_.resize(list_.blocks().size() * boundaries_.size());
     if constexpr (Precision::compact) particles.make_compact(period_of_places(), 0.5 * (domain_.min + domain_.max));
   }
@@ -132,7 +132,8 @@ class NewtonianStep final : public Dynamics {
     const InDouble rows(p, domain_);
     const DoublePrecision<simd::Scalar> single_rows(p, domain_);
     constexpr bool turning = Tangential::active;
-    WallLoad* loads_on_walls = block_loads_.data() + static_cast<std::size_t>(block) * boundaries_.size();
+    const bool beyond_at_walls = boundaries_.size() > 0 && wall_loads<record>(p, block, in, recorder);
+    const WallLoads<Lanes>* from_walls = wall_side().loads.data();  // of the next seat that has any
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
       if (beyond_cache) prefetch_for_next(p, seen, g);
@@ -140,29 +141,33 @@ class NewtonianStep final : public Dynamics {
         const auto self = seen.template body_in_all_lanes<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         const Loads<simd::Scalar> total{total_of(loads.force), total_of(loads.torque)};
-        finish<record>(p, Seats{group.slot, 1, walls_.seat(g, 0)},
-                       single_rows.template bodies_in_line<turning>(group.slot), total, in, recorder, loads_on_walls,
-                       alone_sums, result);
+        finish<record>(p, Seats{group.slot, 1}, walls_.seat(g, 0), from_walls,
+                       single_rows.template bodies_in_line<turning>(group.slot), total, in, recorder, alone_sums);
       } else if constexpr (Precision::compact) {
         const auto self = seen.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         for (int part = 0; part < Precision::parts; ++part) {
-          const Seats seats{group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>,
-                            walls_.seat(g, part)};
+          const Seats seats = seats_of(group, part);
           const Loads<Lanes> widened{widened_part(loads.force, part), widened_part(loads.torque, part)};
-          finish<record>(p, seats, rows.template bodies_in_line<turning>(seats.slot), widened, in, recorder,
-                         loads_on_walls, sums, result);
+          finish<record>(p, seats, walls_.seat(g, part), from_walls, rows.template bodies_in_line<turning>(seats.slot),
+                         widened, in, recorder, sums);
         }
       } else {
         const auto self = rows.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
-        finish<record>(p, Seats{group.slot, group.lanes, walls_.seat(g, 0)}, self, loads, in, recorder, loads_on_walls,
-                       sums, result);
+        finish<record>(p, seats_of(group, 0), walls_.seat(g, 0), from_walls, self, loads, in, recorder, sums);
       }
     }
     sums.add_to(result, in);
     alone_sums.add_to(result, in);
-    if (sums.beyond_limit() || alone_sums.beyond_limit()) result.sums.offence = offence_in(p, groups, in);
+    if (beyond_at_walls || sums.beyond_limit() || alone_sums.beyond_limit()) {
+      result.sums.offence = offence_in(p, groups, in);
+    }
+  }
+
+  /// Lanes of motion of a group, or of one part of it.
+  static Seats seats_of(const NeighbourGroup& group, int part) {
+    return {group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>};
   }
 
   /// Asks for what the next group will read, and for what comes soon after: the rows of neighbours lie scattered, and a
@@ -311,54 +316,96 @@ class NewtonianStep final : public Dynamics {
     return loads;
   }
 
-  /// Forces from boundaries, then the motion.
+  /// Adds what boundaries do, then moves.
   template <bool record, class L>
-  [[gnu::always_inline]] void finish(Particles& p, const Seats& seats, const Bodies<L>& self, Loads<L> loads,
-                                     const StepInput& in, Recorder* recorder, WallLoad* loads_on_walls,
-                                     LaneSums<L>& sums, BlockResult& result) {
-    if (seats.walls.rows > 0) {
-      // Copies, so that what the loop keeps in registers needs no address.
-      const Bodies<L> bodies = self;
-      Loads<L> with_walls = loads;
-      ContactSums<typename L::Real> contacts;
-      wall_forces<record>(p, seats, bodies, in, recorder, loads_on_walls, with_walls, contacts, result);
-      loads = with_walls;
-      constexpr SumsInUse in_use{Normal::plastic, true, Tangential::active, record};
-      sums.walls.template add<in_use>(contacts);
+  [[gnu::always_inline]] void finish(Particles& p, const Seats& seats, const WallSeat& walls,
+                                     const WallLoads<Lanes>*& from_walls, const Bodies<L>& self, Loads<L> loads,
+                                     const StepInput& in, Recorder* recorder, LaneSums<L>& sums) {
+    if (walls.rows > 0) {
+      if (from_walls->any) {
+        loads.force += from_walls->force.template load<L>();
+        if constexpr (Tangential::active) loads.torque += from_walls->torque.template load<L>();
+      }
+      ++from_walls;
     }
     move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, L::mask(seats.lanes), in,
                                                             recorder, sums);
   }
 
-  /// Few particles are near a boundary: kept out of the loop over all.
+  /// What one thread needs for boundaries; kept from step to step.
+  struct alignas(64) WallSide {
+    WallContacts<Lanes> contacts;
+    std::vector<WallLoads<Lanes>> loads;  ///< of a block's seats that have rows of walls
+    std::size_t used = 0;                 ///< of loads
+  };
+  WallSide& wall_side() { return wall_sides_[static_cast<std::size_t>(omp_get_thread_num())]; }
+
+  /// Forces from boundaries on all of a block's particles, before the loop over its groups: a call in there would cost
+  /// it all its registers. Returns whether a contact is beyond the overlap limit.
+  template <bool record>
+  [[gnu::noinline]] bool wall_loads(Particles& p, std::ptrdiff_t block, const StepInput& in, Recorder* recorder) {
+    LaneSums<Lanes> sums;
+    LaneSums<simd::Scalar> alone_sums;
+    const InDouble rows(p, domain_);
+    const DoublePrecision<simd::Scalar> single_rows(p, domain_);
+    constexpr bool turning = Tangential::active;
+    const GroupBlock& groups = list_.blocks()[block];
+    WallSide& side = wall_side();
+    side.used = 0;
+    const std::size_t most = static_cast<std::size_t>(groups.last - groups.first) * Precision::parts;
+    if (side.loads.size() < most) side.loads.resize(most);
+    for (std::int32_t g = groups.first; g < groups.last; ++g) {
+      const NeighbourGroup& group = list_.groups()[g];
+      if (group.shared) {
+        if (walls_.seat(g, 0).rows == 0) continue;
+        wall_forces<record>(p, block, Seats{group.slot, 1}, walls_.seat(g, 0),
+                            single_rows.template bodies_in_line<turning>(group.slot), in, recorder, side,
+                            alone_sums.walls);
+        continue;
+      }
+      for (int part = 0; part < Precision::parts; ++part) {
+        if (walls_.seat(g, part).rows == 0) continue;
+        const Seats seats = seats_of(group, part);
+        wall_forces<record>(p, block, seats, walls_.seat(g, part), rows.template bodies_in_line<turning>(seats.slot),
+                            in, recorder, side, sums.walls);
+      }
+    }
+    sums.add_to(results_[block], in);
+    alone_sums.add_to(results_[block], in);
+    return sums.beyond_limit() || alone_sums.beyond_limit();
+  }
+
   template <bool record, class L>
-  [[gnu::noinline]] void wall_forces(Particles& p, const Seats& seats, const Bodies<L>& self, const StepInput& in,
-                                     Recorder* recorder, WallLoad* loads_on_walls, Loads<L>& loads,
-                                     ContactSums<typename L::Real>& sums, BlockResult& result) {
+  void wall_forces(Particles& p, std::ptrdiff_t block, const Seats& seats, const WallSeat& seat, const Bodies<L>& self,
+                   const StepInput& in, Recorder* recorder, WallSide& side, ContactSums<typename L::Real>& sums) {
     using Real = typename L::Real;
-    WallContacts<Lanes>& contacts = wall_contacts_[static_cast<std::size_t>(omp_get_thread_num())];
+    WallContacts<Lanes>& contacts = side.contacts;
+    WallLoads<Lanes>& kept = side.loads[side.used++];
+    WallLoad* loads_on_walls = block_loads_.data() + static_cast<std::size_t>(block) * boundaries_.size();
+    Loads<L> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
     const bool turns = Tangential::active && in.velocity_lag() > 0;
     const VectorArray& then = list_.reference();
     const simd::Vector<Real> moved =
         self.position -
         simd::Vector<Real>{L::load(&then.x[seats.slot]), L::load(&then.y[seats.slot]), L::load(&then.z[seats.slot])};
-    contacts.template find<L>(boundaries_, walls_, seats.walls, seats.lanes, self, moved, in.growth.scale,
-                              forces_.range(), turns);
+    contacts.template find<L>(boundaries_, walls_, seat, seats.lanes, self, moved, in.growth.scale, forces_.range(),
+                              turns);
     if constexpr (Forces::may_remember) {
       if (remembers()) {
-        contacts.template pass_on<Forces::most_kept>(walls_, seats.walls, seats.lanes, forces_.kept(), history_.walls);
+        contacts.template pass_on<Forces::most_kept>(walls_, seat, seats.lanes, forces_.kept(), history_.walls);
       }
     }
-    for (int k = 0; k < seats.walls.rows; ++k) {
+    kept.any = contacts.any_near();
+    for (int k = 0; k < seat.rows; ++k) {
       const WallRow<Lanes>& found = contacts.row(k);
-      const std::int64_t row = seats.walls.first_row + k;
+      const std::int64_t row = seat.first_row + k;
       if (found.near == 0) {
         if (remembers()) history_.walls.none(row);
         continue;
       }
       const WallEntry* entries = walls_.row(row);
-      Bodies<L> wall{self.position, Real(0.0), found.velocity.template load<L>(), Real(0.0),
-                     simd::Vector<Real>::zero()};
+      const Bodies<L> wall{self.position, Real(0.0), found.velocity.template load<L>(), Real(0.0),
+                           simd::Vector<Real>::zero()};
       const simd::Vector<Real> normal = found.normal.template load<L>();
       const Place<L, TurnsAlong<L>> at{
           L::mask(found.touching),           L::mask(found.near), normal, Real(1.0), L::load(found.overlap.data()),
@@ -373,7 +420,7 @@ class NewtonianStep final : public Dynamics {
       const auto laws = forces_.template laws<L>(materials, PairSize<Real>{self.inverse_mass, self.radius});
       const simd::Vector<Real> before = loads.force;
       forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, where, in, recorder, loads,
-                                             sums, result);
+                                             sums, results_[block]);
       const simd::Vector<Real> added = loads.force - before;
       for (std::uint32_t lanes = found.near; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
@@ -381,6 +428,9 @@ class NewtonianStep final : public Dynamics {
         loads_on_walls[entries[lane].body].add({-force, force.dot(found.velocity.get(lane))});
       }
     }
+    if (!kept.any) return;
+    kept.force.template store<L>(loads.force);
+    kept.torque.template store<L>(loads.torque);
   }
 
   /// Long enough that neighbours are less than half of it apart. A power of two, or the side of a periodic box over
@@ -401,7 +451,7 @@ class NewtonianStep final : public Dynamics {
   Forces forces_;
   NeighbourList list_;
   WallList walls_;
-  std::vector<WallContacts<Lanes>> wall_contacts_;  ///< one a thread
+  std::vector<WallSide> wall_sides_;                ///< one a thread
   std::vector<WallLoad> block_loads_, wall_loads_;  ///< (blocks, boundaries); (boundaries)
   bool alike_ = false;
   std::size_t seen_ = 0;  ///< particles when it was looked

@@ -27,30 +27,47 @@ struct TurnsAlong {
   }
 };
 
-/// One row of the wall list at an instant. Lanes: of motion; narrower ones use the first of each array.
+/// A number a lane of motion; narrower lanes use the first.
+template <class Lanes>
+using LaneNumbers = std::array<double, Lanes::width>;
+
+template <class Lanes>
+struct LaneVectors {
+  alignas(64) LaneNumbers<Lanes> x, y, z;
+
+  void set(int lane, const Vec3& v) {
+    x[lane] = v[0];
+    y[lane] = v[1];
+    z[lane] = v[2];
+  }
+  Vec3 get(int lane) const { return {x[lane], y[lane], z[lane]}; }
+  template <class L>
+  simd::Vector<typename L::Real> load() const {
+    return {L::load(x.data()), L::load(y.data()), L::load(z.data())};
+  }
+  template <class L>
+  void store(const simd::Vector<typename L::Real>& v) {
+    L::store(x.data(), v.x);
+    L::store(y.data(), v.y);
+    L::store(z.data(), v.z);
+  }
+};
+
+/// What boundaries do to particles side by side.
+template <class Lanes>
+struct WallLoads {
+  bool any;                          ///< else force and torque are whatever they were
+  LaneVectors<Lanes> force, torque;  ///< [N, N m]
+};
+
+/// One row of the wall list at an instant.
 template <class Lanes>
 struct WallRow {
-  using Numbers = std::array<double, Lanes::width>;
-  struct Vectors {
-    alignas(64) Numbers x, y, z;
-
-    void set(int lane, const Vec3& v) {
-      x[lane] = v[0];
-      y[lane] = v[1];
-      z[lane] = v[2];
-    }
-    Vec3 get(int lane) const { return {x[lane], y[lane], z[lane]}; }
-    template <class L>
-    simd::Vector<typename L::Real> load() const {
-      return {L::load(x.data()), L::load(y.data()), L::load(z.data())};
-    }
-  };
-
-  std::uint32_t touching = 0, near = 0;  ///< bits of lanes
-  Vectors normal;                        ///< unit vectors to the particles
-  alignas(64) Numbers overlap;           ///< [m]
-  Vectors velocity;                      ///< of the boundary at the contact [m/s]
-  Vectors turning;                       ///< of the normal [1/s]
+  std::uint32_t touching = 0, near = 0;    ///< bits of lanes
+  LaneVectors<Lanes> normal;               ///< unit vectors to the particles
+  alignas(64) LaneNumbers<Lanes> overlap;  ///< [m]
+  LaneVectors<Lanes> velocity;             ///< of the boundary at the contact [m/s]
+  LaneVectors<Lanes> turning;              ///< of the normal [1/s]
 };
 
 /// Finds the contacts of a seat. One for each thread, which keeps its memory from step to step.
@@ -62,7 +79,8 @@ class WallContacts {
   static constexpr double same_contact = 0.9;
 
   const WallRow<Lanes>& row(int k) const { return rows_[k]; }
-  WallRow<Lanes>& row(int k) { return rows_[k]; }
+  /// Whether any row has a contact.
+  bool any_near() const { return any_near_; }
 
   /// moved: how far from where the list was built [m]. turns: whether the normals' turning is wanted. range: of
   /// attraction [m].
@@ -70,7 +88,7 @@ class WallContacts {
   void find(const Boundaries& boundaries, WallList& list, const WallSeat& seat, std::uint32_t lanes,
             const Bodies<L>& self, const simd::Vector<typename L::Real>& moved, double scale, double range,
             bool turns) {
-    if (seat.rows > 0 && list.plane(seat.first_row + seat.rows - 1) < 0) {  // planes come first
+    if (list.plane(seat.first_row + seat.rows - 1) < 0) {  // planes come first
       find_free_way<L>(self, squared_length(moved), list.travelled(), scale);
     }
     if (rows_.size() < static_cast<std::size_t>(seat.rows)) rows_.resize(seat.rows);
@@ -87,6 +105,7 @@ class WallContacts {
       twice |= once & row.near;
       once |= row.near;
     }
+    any_near_ = once != 0;
     for (; twice != 0; twice &= twice - 1) keep_deepest(seat.rows, std::countr_zero(twice));
   }
 
@@ -209,7 +228,8 @@ class WallContacts {
   }
 
   std::vector<WallRow<Lanes>> rows_;
-  std::array<double, Lanes::width> moved_;  ///< since the list was built [m]
+  bool any_near_ = false;
+  LaneNumbers<Lanes> moved_;  ///< since the list was built [m]
 };
 
 }  // namespace packstone::engine
