@@ -46,7 +46,7 @@ struct Extent {
 };
 
 bool drawable(double x, double y, const ChartOptions& options) {
-  return std::isfinite(x) && std::isfinite(y) && (!options.log_y || y > 0);
+  return std::isfinite(x) && std::isfinite(y) && (!options.log_x || x > 0) && (!options.log_y || y > 0);
 }
 
 void check(const Chart& chart) {
@@ -71,14 +71,16 @@ void measure(const Chart& chart, Extent& x, Extent& y) {
       if (!drawable(s.x[i], s.y[i], options)) continue;
       const double spread = s.spread.empty() || !std::isfinite(s.spread[i]) ? 0 : s.spread[i];
       for (const double side : {-spread, spread}) {
-        x.add(s.x[i] + (options.profile ? side : 0));
-        const double value = s.y[i] + (options.profile ? 0 : side);
-        if (!options.log_y || value > 0) y.add(value);
+        const double across = s.x[i] + (options.profile ? side : 0), up = s.y[i] + (options.profile ? 0 : side);
+        if (!options.log_x || across > 0) x.add(across);
+        if (!options.log_y || up > 0) y.add(up);
       }
     }
   }
   for (const Bars& b : chart.bars) {
-    for (const double edge : b.edges) x.add(edge);
+    for (const double edge : b.edges) {
+      if (!options.log_x || edge > 0) x.add(edge);
+    }
     for (const double height : b.heights) y.add(height);
     if (!options.log_y) y.add(0);
   }
@@ -187,8 +189,9 @@ void draw_spread(Drawing& drawing, const PlotFrame& frame, const Series& s, std:
     for (int k = 0; k < 2; ++k) {
       const double shift = std::isfinite(s.spread[i]) ? (k == 0 ? -s.spread[i] : s.spread[i]) : 0;
       const double y = s.y[i] + (options.profile ? 0 : shift);
+      const double x = s.x[i] + (options.profile ? shift : 0);
       sides[k].push_back(
-          frame.place(s.x[i] + (options.profile ? shift : 0), options.log_y ? std::max(y, frame.y.low) : y));
+          frame.place(options.log_x ? std::max(x, frame.x.low) : x, options.log_y ? std::max(y, frame.y.low) : y));
     }
   }
   if (!s.marked) {
@@ -205,7 +208,7 @@ void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
     const Bars& b = chart.bars[k];
     const double ground = frame.y.logarithmic ? frame.y.low : 0;
     for (std::size_t i = 0; i < b.heights.size(); ++i) {
-      const Point a = frame.place(b.edges[i], std::max(b.heights[i], ground));
+      const Point a = frame.place(std::max(b.edges[i], frame.x.low), std::max(b.heights[i], ground));
       const Point c = frame.place(b.edges[i + 1], ground);
       drawing.rectangle({a.x, a.y, c.x, c.y}, Fill{category_colour(k), bar_opacity},
                         Stroke{category_colour(k), bar_outline * font, {}});
@@ -242,7 +245,7 @@ Drawing chart_drawing(const Chart& chart) {
   if (x.empty() || y.empty()) throw InputError(fmt::format("the chart '{}' has no values to show", options.title));
   PlotFrame frame;
   frame.font = font_size(options.width, options.height) * options.font_scale;
-  frame.x = linear_scale(x, !options.profile);
+  frame.x = options.log_x ? logarithmic_scale(x) : linear_scale(x, !options.profile);
   frame.y = options.log_y ? logarithmic_scale(y) : linear_scale(y, options.profile);
   override_range(frame.x, options.x_range, "x");
   override_range(frame.y, options.y_range, "y");

@@ -33,6 +33,7 @@ struct ChartOptions {
   std::string title;
   std::string x_label;  ///< with the unit: "Time [s]"
   std::string y_label;
+  bool log_x = false;
   bool log_y = false;
   bool profile = false;                              ///< y is the position (a height), so spreads lie along x
   std::optional<std::pair<double, double>> x_range;  ///< the data's own by default

@@ -8,6 +8,7 @@
 #include "engine/contact/mixing.hpp"
 #include "head_on.hpp"
 #include "reference_collision.hpp"
+#include "step_errors.hpp"
 
 using namespace packstone;
 using namespace packstone::engine;
@@ -17,7 +18,11 @@ using engine::testing::contact_scene;
 using engine::testing::effective_mass;
 using engine::testing::ForceLaw;
 using engine::testing::HandMade;
+using engine::testing::head_on_errors;
 using engine::testing::HeadOn;
+using engine::testing::HeadOnErrors;
+using engine::testing::oblique_errors;
+using engine::testing::ObliqueErrors;
 using engine::testing::ReferenceCollision;
 
 namespace {
@@ -194,41 +199,17 @@ TEST_CASE("a sphere on the floor jitters under the sign function and comes to re
 }
 
 TEST_CASE("errors of the restitution fall with the step as fast as each law is smooth", "[step errors]") {
-  struct Case {
-    std::string name, contact, material;
-    double order;  ///< promised
-    ForceLaw law;
-  };
-  const double K = hertz_stiffness(0.02), k = 1e6;
-  const Case c = GENERATE_COPY(
-      Case{"linear, dashpot", "normal = \"linear\"", "normal_damping = 20", 2,
-           [=](double xi, double rate) { return k * xi + 20 * rate; }},
-      // Its dashpot begins and ends with a jump, beside which the elastic force is not yet there.
-      Case{"hertz, dashpot", "normal = \"hertz\"", elastic + "normal_damping = 8", 1,
-           [=](double xi, double rate) { return K * std::pow(xi, 1.5) + 8 * rate; }},
-      Case{"kuwabara-kono", "normal = \"kuwabara-kono\"", elastic + "dissipation_time = 1e-4", 1.5,
-           [=](double xi, double rate) { return K * (std::pow(xi, 1.5) + 1.5e-4 * std::sqrt(xi) * rate); }},
-      Case{"hysteretic", "normal = \"hysteretic\"", "normal_damping = 0.7", 2,
-           [=](double xi, double rate) { return k * xi * (rate > 0 ? 1.7 : 0.3); }},
-      Case{"hysteretic, sign speed", "normal = \"hysteretic\"\nsign_speed = 0.3", "normal_damping = 0.7", 2,
-           [=](double xi, double rate) { return k * xi * (1 + 0.7 * std::clamp(rate / 0.3, -1.0, 1.0)); }},
-      Case{"walton-braun", "normal = \"walton-braun\"", "unloading_stiffness = 4e6", 2, nullptr});
-  const Scene scene = contact_scene(c.contact, c.material);
-  const double speed = 0.3, mass = effective_mass(0.02);
-  const ReferenceCollision expected = c.law ? CollisionIntegrator(c.law, mass, false).run(speed, 1e-4)
-                                            : ReferenceCollision{0.5, 0.75 * std::numbers::pi * std::sqrt(mass / k), 0};
-  // Root mean square over where in a step the contact begins.
-  const auto error = [&](int steps) {
-    constexpr int phases = 16;
-    const double dt = expected.duration / steps;
-    double sum = 0;
-    for (int phase = 0; phase < phases; ++phase) {
-      const double e = collide(scene, speed, 0.02, dt, (phase + 0.5) / phases * speed * dt).restitution;
-      sum += (e - expected.restitution) * (e - expected.restitution);
-    }
-    return std::sqrt(sum / phases);
-  };
-  const double coarse = error(50), fine = error(400);
-  INFO(c.name << ": " << error(13) << " at 13 steps, " << coarse << " at 50, " << fine << " at 400");
-  CHECK(std::log(coarse / fine) / std::log(8) > c.order - 0.25);
+  for (const HeadOnErrors& c : head_on_errors()) {
+    const double coarse = c.error(50), fine = c.error(400);
+    INFO(c.name << ": " << c.error(13) << " at 13 steps, " << coarse << " at 50, " << fine << " at 400");
+    CHECK(std::log(coarse / fine) / std::log(8) > c.order - 0.25);
+  }
+}
+
+TEST_CASE("what an oblique impact gives converges with every tangential law", "[step errors]") {
+  for (const ObliqueErrors& c : oblique_errors()) {
+    const double coarse = c.error(50), fine = c.error(400);
+    INFO(c.name << ": " << c.error(13) << " at 13 steps, " << coarse << " at 50, " << fine << " at 400");
+    CHECK(std::log(coarse / fine) / std::log(8) > c.order - 0.25);
+  }
 }

@@ -48,6 +48,17 @@ TEST_CASE("a logarithmic axis leaves out what is not positive") {
   CHECK(straight[1].y - straight[0].y == Approx(straight[3].y - straight[2].y));
 }
 
+TEST_CASE("both axes can be logarithmic: a power law is a straight line") {
+  Chart chart = chart_of({"e", {0, 1, 10, 100}, {1, 1, 100, 10000}});
+  chart.options.log_x = chart.options.log_y = true;
+  const auto lines = data_lines(chart);
+  REQUIRE(lines.size() == 1);
+  const auto& points = lines.front().points;
+  REQUIRE(points.size() == 3);
+  CHECK(points[1].x - points[0].x == Approx(points[2].x - points[1].x));
+  CHECK(points[1].y - points[0].y == Approx(points[2].y - points[1].y));
+}
+
 TEST_CASE("a series keeps the colour it is given") {
   Series series{"light", {0, 1}, {1, 2}};
   series.colour = category_colour(0);
