@@ -4,10 +4,10 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-usage="usage: ./setup.sh [build|demo|test|bench [OPTION...]]
+usage="usage: ./setup.sh [build|demo|test [OPTION...]|bench [OPTION...]]
   build  install the packages and build build/packstone (the default)
   demo   build, then run sample 01 from the scene to the report
-  test   build, then run all tests
+  test   build, then run the tests; options go to ctest: -C long -L long runs those of minutes instead
   bench  install LAMMPS and LIGGGHTS too, then run the same beds through all three;
          \`./setup.sh bench --help\` has the options, tests/bench/README.md the rest"
 
@@ -51,7 +51,7 @@ demo() {
 run_tests() {
   build ON
   say "running the tests"
-  (cd build && ctest --output-on-failure --parallel 2)
+  (cd build && ctest --output-on-failure --parallel 2 "$@")
 }
 
 run_benchmark() {
@@ -64,7 +64,7 @@ run_benchmark() {
 case "${1:-build}" in
   build) build OFF ;;
   demo) demo ;;
-  test) run_tests ;;
+  test) run_tests "${@:2}" ;;
   bench) run_benchmark "${@:2}" ;;
   -h|--help) echo "$usage" ;;
   *) echo "$usage" >&2; exit 2 ;;

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Discharge over five openings, and the power it follows: beverloo.py PACKSTONE [FOLDER]
+"""Discharge over five openings, and the power it follows: beverloo.py [PACKSTONE [FOLDER [--check]]]
 
 Beverloo, Leniger & van de Velde, Chem. Eng. Sci. 15 (1961) 260: the flow through an opening D wide of beads d wide goes
 as (D - k d)^(5/2). Runs sample 05 with each opening, counts the beads below the outlet in the snapshots, takes the flow between
-a third and nine tenths of the discharge, and fits flow^(2/5) = a (D - k d); then the power with that k.
+a third and nine tenths of the discharge, and fits flow^(2/5) = a (D - k d); then the power with that k. With --check the exit
+code says whether the power and Beverloo's own constants come out.
 """
 import glob
 import os
@@ -15,6 +16,8 @@ import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 BIN, OUTLET, BEAD = 0.05, 0.1, 0.004            # [m]
+BULK_DENSITY = 0.58 * 2500                      # [kg/m3]
+GRAVITY = 9.8                                   # [m/s2]
 RADII = [0.010, 0.012, 0.014, 0.016, 0.018]     # of the openings [m]
 MASS = 2500 * numpy.pi / 6 * BEAD**3            # [kg]
 SETTLED = 0.5                                   # [s]
@@ -39,9 +42,8 @@ def main():
     flows = []
     for r in RADII:
         run = f"{folder}/{1000 * r:.0f}mm"
-        if not os.path.exists(run):
-            subprocess.run([packstone, "run", HERE + "/scene.toml", "-o", run, "--quiet", "--set",
-                            f"boundary[0].outlet_radius={r}", "--set", f"boundary[0].cone_length={BIN - r}"], check=True)
+        subprocess.run([packstone, "run", HERE + "/scene.toml", "-o", run, "--overwrite", "--quiet", "--set",
+                        f"boundary[0].outlet_radius={r}", "--set", f"boundary[0].cone_length={BIN - r}"], check=True)
         flows.append(flow(run))
     openings, flows = 2 * numpy.array(RADII), numpy.array(flows)
     a, b = numpy.polyfit(openings, flows**0.4, 1)
@@ -51,7 +53,11 @@ def main():
     print("opening [mm]  flow [g/s]  fit [g/s]")
     for D, W in zip(openings, flows):
         print(f"{1e3 * D:12.0f}{1e3 * W:12.2f}{1e3 * (a * D + b)**2.5:11.2f}")
-    print(f"k = {k:.2f}; power {power:.2f} with it, {with_usual_k:.2f} with k = 1.4")
+    constant = a**2.5 / (BULK_DENSITY * numpy.sqrt(GRAVITY))
+    print(f"k = {k:.2f}, C = {constant:.2f}; power {power:.2f} with it, {with_usual_k:.2f} with k = 1.4")
+    if sys.argv[3:] == ["--check"] and not (abs(power - 2.5) < 0.05 and abs(with_usual_k - 2.5) < 0.05
+                                            and 1.2 < k < 1.6 and 0.55 < constant < 0.65):
+        sys.exit("not Beverloo's law: power 2.5, k from 1.2 to 1.6, C from 0.55 to 0.65")
 
 
 main()

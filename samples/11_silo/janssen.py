@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""The floor's load beside the weight above it, and Janssen's law: janssen.py RUN
+"""The floor's load beside the weight above it, and Janssen's law: janssen.py RUN [--check]
 
 F = W (1 - exp(-w/W)): w the weight poured, W what the floor bears at most (Janssen, Z. VDI 39 (1895) 1045); and the form with
 a layer of weight a that the walls do not carry, F = a + W (1 - exp(-(w - a)/W)) above it and F = w below (Vanel & Clement, Eur.
-Phys. J. B 11 (1999) 525). Each portion counts at its last row of history.csv, at rest.
+Phys. J. B 11 (1999) 525). Each portion counts at its last row of history.csv, at rest. With --check the exit code says whether the load
+saturates as the second form has it.
 """
 import csv
 import glob
@@ -52,3 +53,8 @@ for row in zip(weight, load, law(0, janssen), law(layer, more)):
     print("{:10.3f}{:11.3f}{:13.3f}{:18.3f}".format(*row))
 print(f"misfit {misfit(0, janssen):.3f} N, with a layer of {layer:.2f} N {misfit(layer, more):.3f} N; "
       f"the last portion of {weight[-1] - weight[-2]:.3f} N added {load[-1] - load[-2]:.3f} N")
+added = (load[-1] - load[-2]) / (weight[-1] - weight[-2])
+if sys.argv[2:] == ["--check"] and not (added < 0.05 and load[-1] < 0.5 * weight[-1]
+                                        and misfit(layer, more) < 0.05 * load[-1]):
+    sys.exit("the floor's load does not saturate: of the last portion it should bear less than 5 %, of all less than half, "
+             "within 5 % of the law with a layer")
