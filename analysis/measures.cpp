@@ -40,8 +40,9 @@ std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<s
   const Context context = make_context(snapshot, options);
   std::vector<MeasureResult> results;
   for (const auto& measure : all_measures()) {
-    const bool selected =
-        selection.empty() || std::find(selection.begin(), selection.end(), measure.name) != selection.end();
+    const bool selected = selection.empty()
+                              ? !measure.on_request
+                              : std::find(selection.begin(), selection.end(), measure.name) != selection.end();
     if (selected) results.push_back(measure.function(snapshot, context));
   }
   return results;

@@ -21,12 +21,14 @@ struct Measure {
   std::string name;
   std::string description;  ///< one line
   MeasureResult (*function)(const Snapshot&, const Context&);
+  bool on_request = false;  ///< takes long: only where it is named
 };
 
 /// In the order of the output.
 const std::vector<Measure>& all_measures();
 
-/// The selected measures of one snapshot, in the order of all_measures(); all of them when the selection is empty.
+/// The selected measures of one snapshot, in the order of all_measures(); when the selection is empty
+/// all but those on request.
 /// Throws InputError for an unknown name, naming the nearest and all there are, and for a snapshot that cannot be
 /// measured (make_context).
 std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<std::string>& selection = {},

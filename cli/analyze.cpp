@@ -81,7 +81,9 @@ void analyze_several(const AnalyzeOptions& options) {
 
 void analyze(const AnalyzeOptions& options) {
   if (options.list) {
-    for (const auto& measure : analysis::all_measures()) fmt::print("{:<14}{}\n", measure.name, measure.description);
+    for (const auto& measure : analysis::all_measures()) {
+      fmt::print("{:<14}{}{}\n", measure.name, measure.description, measure.on_request ? " (takes long: name it)" : "");
+    }
   } else if (options.paths.empty()) {
     throw InputError("analyze: name a run folder or a snapshot");
   } else if (options.paths.size() == 1) {
@@ -97,7 +99,7 @@ void add_analyze(CLI::App& app) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
   verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
-  verb->add_option("--only", options->only, "Measures to take, by comma; see --list")
+  verb->add_option("--only", options->only, "Measures to take, by comma; see --list [all but those that take long]")
       ->delimiter(',')
       ->allow_extra_args(false);
   verb->add_option("--at", options->at, "last, first, all, a number, or t=SECONDS")->capture_default_str();

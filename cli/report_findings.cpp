@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/rest.hpp"
+#include "analysis/time/rest.hpp"
 #include "analysis/writers.hpp"
 #include "core/error.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analysis/composition.hpp"
+#include "analysis/segregation/composition.hpp"
 #include "tests/analysis/fixtures.hpp"
 
 using namespace packstone;

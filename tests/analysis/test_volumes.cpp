@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analysis/lens.hpp"
+#include "analysis/packing/lens.hpp"
 #include "core/geometry.hpp"
 
 using namespace packstone;

@@ -1,5 +1,5 @@
 // Measure "time": how near the packing is to rest at this instant.
-#include "analysis/rest.hpp"
+#include "analysis/time/rest.hpp"
 
 #include <algorithm>
 #include <cmath>

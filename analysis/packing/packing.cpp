@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "analysis/layers.hpp"
-#include "analysis/lens.hpp"
 #include "analysis/measures.hpp"
+#include "analysis/packing/lens.hpp"
 #include "core/bed.hpp"
 #include "core/geometry.hpp"
 

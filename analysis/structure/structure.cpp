@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/adjacency.hpp"
 #include "analysis/measures.hpp"
 
 namespace packstone::analysis {
@@ -11,25 +12,6 @@ namespace {
 
 /// Fewest contacts that can hold a sphere in place: d + 1 in d = 3 dimensions, without friction.
 constexpr int fewest_to_be_stable = 4;
-
-/// Neighbours of every particle, as ranges in one array.
-struct Adjacency {
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> neighbour;
-};
-
-Adjacency adjacency(const ContactNetwork& contacts, const std::vector<int>& count) {
-  Adjacency list;
-  list.begin.assign(count.size() + 1, 0);
-  for (std::size_t i = 0; i < count.size(); ++i) list.begin[i + 1] = list.begin[i] + static_cast<std::size_t>(count[i]);
-  list.neighbour.resize(list.begin.back());
-  std::vector<std::size_t> next(list.begin.begin(), list.begin.end() - 1);
-  for (const auto& pair : contacts.pairs) {
-    list.neighbour[next[pair.first]++] = pair.second;
-    list.neighbour[next[pair.second]++] = pair.first;
-  }
-  return list;
-}
 
 struct Backbone {
   std::size_t particles = 0;
@@ -40,7 +22,7 @@ struct Backbone {
 Backbone without_rattlers(const ContactNetwork& contacts, const std::vector<int>& with_particles,
                           const std::vector<int>& with_walls) {
   const std::size_t n = with_particles.size();
-  const Adjacency near = adjacency(contacts, with_particles);
+  const Adjacency near = adjacency(contacts.pairs, n);
   std::vector<int> left(n);
   std::vector<char> removed(n, 0);
   std::vector<std::uint32_t> queue;
@@ -54,9 +36,9 @@ Backbone without_rattlers(const ContactNetwork& contacts, const std::vector<int>
   while (!queue.empty()) {
     const std::uint32_t i = queue.back();
     queue.pop_back();
-    for (std::size_t k = near.begin[i]; k < near.begin[i + 1]; ++k) {
-      --left[near.neighbour[k]];
-      remove_if_loose(near.neighbour[k]);
+    for (const std::uint32_t other : near.of(i)) {
+      --left[other];
+      remove_if_loose(other);
     }
   }
   Backbone backbone;

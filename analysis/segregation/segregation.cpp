@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/composition.hpp"
 #include "analysis/measures.hpp"
+#include "analysis/segregation/composition.hpp"
 #include "core/geometry.hpp"
 
 namespace packstone::analysis {

@@ -1,4 +1,4 @@
-#include "analysis/composition.hpp"
+#include "analysis/segregation/composition.hpp"
 
 #include <algorithm>
 #include <cmath>
