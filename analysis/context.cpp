@@ -56,6 +56,11 @@ void check_options(const Options& options) {
                        " m; the thickness must be above 0 (0: the default)");
     }
   }
+  for (double least : {options.clusters.gap, options.clusters.least_force}) {
+    if (!(least >= 0) || !std::isfinite(least)) {
+      throw InputError("clusters joined by a gap or a force of " + std::to_string(least) + "; it must be above 0");
+    }
+  }
 }
 
 }  // namespace

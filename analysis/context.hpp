@@ -8,10 +8,18 @@
 
 namespace packstone::analysis {
 
+/// What joins particles into clusters.
+struct ClusterOptions {
+  double gap = 0;          ///< spheres whose surfaces are nearer [m]; 0: contacts
+  double least_force = 0;  ///< only contacts that press harder, over the mean normal force; 0: all
+  bool any_type = false;   ///< particles of different types, too
+};
+
 /// What the user may choose.
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
+  ClusterOptions clusters = {};
 };
 
 struct Context {

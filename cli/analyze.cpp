@@ -111,6 +111,13 @@ void add_analyze(CLI::App& app) {
   verb->add_option("--segregation-layer", options->measure.segregation_layer,
                    "Thickness of the layers of composition and segregation [m] [one mean diameter]")
       ->check(CLI::PositiveNumber);
+  verb->add_option("--cluster-gap", options->measure.clusters.gap,
+                   "Clusters of particles whose surfaces are nearer than this [m] [contacts]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--cluster-force", options->measure.clusters.least_force,
+                   "Clusters of contacts that press by more than so many mean normal forces")
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("--cluster-any-type", options->measure.clusters.any_type, "Clusters of any types, not of like ones");
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });
