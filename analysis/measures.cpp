@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/time/course.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 void check_selection(const std::vector<std::string>& selection) {
   std::vector<std::string> names;
   for (const auto& measure : all_measures()) names.push_back(measure.name);
+  names.push_back(course_name);  // of series; see analyze_series
   for (const auto& name : selection) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const auto nearest = nearest_name(name, names);
@@ -27,9 +29,10 @@ const std::vector<Measure>& all_measures() {
       {"packing", "solid fraction and height of the bed, vertical profile", measure_packing},
       {"structure", "coordination numbers, rattlers", measure_structure},
       {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
-      {"clusters", "clusters of touching like particles, against random labels", measure_clusters},
+      {"clusters", "clusters of like particles that touch, are near or press hard, against random labels",
+       measure_clusters},
       {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
-      {"time", "how near the packing is to rest", measure_time},
+      {"time", "how near the packing is to rest, granular temperature by height", measure_time},
   };
   return measures;
 }

@@ -1,6 +1,7 @@
 // What a measure hands over: numbers with their unit, uncertainty and definition, and tables.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +45,13 @@ struct MeasureResult {
   /// Null when there is no such quantity or table.
   const Quantity* quantity(std::string_view key) const;
   const Table* table(std::string_view key) const;
+};
+
+/// The measures of one instant of a series.
+struct TimedResults {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  std::vector<MeasureResult> results;
 };
 
 /// The quantity without value, and the reason.

@@ -1,7 +1,6 @@
 // Results as text for people, as JSON and as CSV.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,13 +10,6 @@
 #include "analysis/result.hpp"
 
 namespace packstone::analysis {
-
-/// The measures of one instant of a series.
-struct TimedResults {
-  double time = 0;  ///< [s]
-  std::int64_t step = 0;
-  std::vector<MeasureResult> results;
-};
 
 /// The value with its uncertainty: "0.6363 ± 0.0012" (two digits of the uncertainty), "12.346" without one,
 /// "n/a" without value. No unit.
@@ -36,7 +28,8 @@ std::string to_text(const std::vector<MeasureResult>& results, std::size_t most_
 /// null where a number does not exist.
 nlohmann::ordered_json to_json(const std::vector<MeasureResult>& results);
 
-/// [{"at": {time [s], step}, measure: {...}, ...}, ...]: "time" itself is the name of a measure.
+/// [{"at": {time [s], step}, measure: {...}, ...}, ...]: "time" itself is the name of a measure. The last instant has
+/// "course" too, where the series was measured over time.
 nlohmann::ordered_json to_json(const std::vector<TimedResults>& series);
 
 /// Writes JSON, indented, under another name and renames. Throws RunError when the disk refuses.

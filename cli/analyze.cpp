@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/measures.hpp"
+#include "analysis/series.hpp"
+#include "analysis/time/course.hpp"
 #include "analysis/writers.hpp"
 #include "cli/comparison.hpp"
 #include "cli/progress.hpp"
@@ -27,6 +29,7 @@ struct AnalyzeOptions {
   std::filesystem::path json;
   std::filesystem::path csv;
   analysis::Options measure;
+  std::vector<std::int64_t> trajectories;
   bool list = false;
   bool quiet = false;
 };
@@ -42,13 +45,11 @@ void put_json(const std::filesystem::path& path, const nlohmann::ordered_json& j
 std::vector<analysis::TimedResults> measured(const RunReader& run, const AnalyzeOptions& options) {
   const auto selected = selected_snapshots(run, options.at);
   Progress progress("snapshots", options.quiet || selected.size() == 1);
-  std::vector<analysis::TimedResults> series;
-  for (const std::size_t index : selected) {
-    const Snapshot snapshot = run.snapshot(index);
-    series.push_back({snapshot.time, snapshot.step, analysis::analyze(snapshot, options.only, options.measure)});
-    progress.update(static_cast<std::int64_t>(series.size()), static_cast<std::int64_t>(selected.size()));
-  }
-  return series;
+  analysis::SeriesOptions series{options.only, options.measure, options.trajectories};
+  series.progress = [&](std::size_t done) {
+    progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(selected.size()));
+  };
+  return analysis::analyze_series(run, selected, series);
 }
 
 void analyze_one(const AnalyzeOptions& options) {
@@ -84,6 +85,7 @@ void analyze(const AnalyzeOptions& options) {
     for (const auto& measure : analysis::all_measures()) {
       fmt::print("{:<14}{}{}\n", measure.name, measure.description, measure.on_request ? " (takes long: name it)" : "");
     }
+    fmt::print("{:<14}{}\n", analysis::course_name, analysis::course_description);
   } else if (options.paths.empty()) {
     throw InputError("analyze: name a run folder or a snapshot");
   } else if (options.paths.size() == 1) {
@@ -118,6 +120,9 @@ void add_analyze(CLI::App& app) {
                    "Clusters of contacts that press by more than so many mean normal forces")
       ->check(CLI::PositiveNumber);
   verb->add_flag("--cluster-any-type", options->measure.clusters.any_type, "Clusters of any types, not of like ones");
+  verb->add_option("--trajectories", options->trajectories, "With --at all: ids of particles to follow, by comma")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

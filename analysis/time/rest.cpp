@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "analysis/measures.hpp"
+#include "analysis/time/layer_motion.hpp"
 
 namespace packstone::analysis {
 
@@ -63,7 +64,8 @@ MeasureResult measure_time(const Snapshot& snapshot, const Context& context) {
                         "coordination number)",
                     .note = context.contacts.source()};
 
-  if (const std::string reason = reason_against_speeds(snapshot); !reason.empty()) {
+  const std::string reason = reason_against_speeds(snapshot);
+  if (!reason.empty()) {
     for (Quantity* q : {&ratio, &rest, &mean, &largest}) *q = not_applicable(*q, reason);
   } else {
     const Motion motion = motion_of(snapshot, snapshot.fields.at("velocity").values);
@@ -82,7 +84,9 @@ MeasureResult measure_time(const Snapshot& snapshot, const Context& context) {
   } else {
     contacts = not_applicable(contacts, "no particles");
   }
-  return {.name = "time", .quantities = {ratio, rest, mean, largest, contacts}};
+  MeasureResult result{.name = "time", .quantities = {ratio, rest, mean, largest, contacts}};
+  add_layer_motion(result, snapshot, context, reason);
+  return result;
 }
 
 }  // namespace packstone::analysis
