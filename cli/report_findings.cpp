@@ -110,13 +110,15 @@ std::string clusters(const ReportedMeasures& m) {
 
 std::string account(const RunReader& run) {
   const History h = run.history();
-  if (h.rows() == 0 || h.column("growth_work").back() + h.column("gravity_work").back() <= 0) {
-    return "Nothing has put energy in yet.";
+  double input = 0;
+  for (const char* work : {"growth_work", "gravity_work", "wall_work"}) {
+    if (h.rows() > 0 && h.has(work)) input += h.column(work).back();  // older runs have no wall_work
   }
-  const double input = h.column("growth_work").back() + h.column("gravity_work").back();
+  if (input <= 0) return "Nothing has put energy in yet.";
   const double error = h.column("energy_error").back();
   return fmt::format(
-      "Growth and gravity put in {:.4g} J; the contact law took out {:.4g} J; {:.3g} J ({:.1f} % of the input) are not "
+      "Growth, gravity and moving boundaries put in {:.4g} J; the contact law took out {:.4g} J; {:.3g} J ({:.1f} % of "
+      "the input) are not "
       "accounted for. {}",
       input, h.column("dissipated").back(), error, 100 * error / input,
       std::abs(error) > account_share * input
