@@ -129,6 +129,23 @@ TEST_CASE("a sphere that rocks on its friction's spring neither gains nor loses"
   CHECK(kept(0.5, 100) < 1e-5);
 }
 
+TEST_CASE("a spring whose force follows sgn(v_s), as [24] prints it, does not give back what it took") {
+  // A body of mass m on a spring alone, from s = 0 with speed v: after half a period it should come back with -v.
+  const double m = 0.04, k = 1e5, v0 = 0.01, dt = 1e-6;
+  const double half_period = std::numbers::pi * std::sqrt(m / k);
+  const auto speed_after = [&](bool as_printed) {
+    double s = 0, v = v0;
+    for (int n = 0; n < half_period / dt; ++n) {
+      const double force = as_printed ? -k * std::abs(s) * (v > 0 ? 1 : -1) : -k * s;
+      v += force / m * dt;
+      s += v * dt;
+    }
+    return v;
+  };
+  CHECK(speed_after(false) == Approx(-v0).epsilon(1e-3));
+  CHECK(std::abs(speed_after(true)) < 0.01 * v0);  // it is caught where it turned, pushed to and fro from step to step
+}
+
 TEST_CASE("an oblique collision keeps momentum exactly and angular momentum to the overlap's share of the radius") {
   HandMade pair(friction_scene(0.3, false),
                 {{Vec3(0.4, 0.5, 0.5), Vec3(1, 0.3, 0)}, {Vec3(0.4405, 0.51, 0.5), Vec3(-1, 0, 0.2)}}, 1e-7);

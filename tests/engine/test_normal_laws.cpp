@@ -125,6 +125,21 @@ TEST_CASE("Kuwabara-Kono: the loss grows as the fifth root of a low speed") {
   CHECK(std::log(fast / slow) / std::log(32) == Approx(0.2).margin(0.002));
 }
 
+TEST_CASE("the minus that [6], [14], [15], [18] print before the overlap's rate makes every impact gain energy") {
+  const double k = 1e6, K = hertz_stiffness(0.02), mass = effective_mass(0.02), speed = 0.3;
+  const auto restitution = [&](const ForceLaw& law) {
+    return CollisionIntegrator(law, mass, false).run(speed, 1e-4).restitution;
+  };
+  const double e = collide(contact_scene("normal = \"linear\"", "normal_damping = 20"), speed, 0.02, 1e-7).restitution;
+  CHECK(e < 0.9);
+  CHECK(restitution([=](double xi, double rate) { return k * xi - 20 * rate; }) == Approx(1 / e).epsilon(1e-4));
+  CHECK(restitution([=](double xi, double rate) { return k * xi * (rate > 0 ? 0.3 : 1.7); }) ==
+        Approx(std::sqrt(1.7 / 0.3)).epsilon(1e-9));
+  CHECK(restitution([=](double xi, double rate) { return K * std::pow(xi, 1.5) - 8 * rate; }) > 1.2);
+  CHECK(restitution([=](double xi, double rate) { return K * (std::pow(xi, 1.5) - 1.5e-4 * std::sqrt(xi) * rate); }) >
+        1.2);
+}
+
 TEST_CASE("Kuwabara-Kono's B from viscosities has the square that eq. [15] leaves out") {
   MaterialSpec m;
   m.young_modulus = 3e9;
