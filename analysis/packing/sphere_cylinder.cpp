@@ -53,6 +53,9 @@ double minus_sine(double x) {
 
 double square(double x) { return x * x; }
 
+/// x + y - z to the last digit (Kahan's order of the sides of a triangle).
+double excess(double x, double y, double z) { return (std::max(x, y) - z) + std::min(x, y); }
+
 /// The sphere between its equator and a plane at a signed height: within a distance s of the vertical through its
 /// centre it holds 2 pi s^2 share(s), below the equator counted negative.
 class Half {
@@ -90,8 +93,8 @@ class Arc {
         distance_(c.distance),
         upper_(radius, c.upper),
         lower_(radius, c.lower) {
-    const double reach = (radius - near_) * (radius + near_);
-    const double rest = (c.radius + c.distance - radius) * (c.radius + c.distance + radius);
+    const double reach = excess(radius, c.distance, c.radius) * excess(radius, c.radius, c.distance);
+    const double rest = excess(c.radius, c.distance, radius) * (c.radius + c.distance + radius);
     k2_ = std::clamp(reach / product_, 0.0, 1.0);
     complement_ = std::clamp(rest / product_, 0.0, 1.0);
     least_w2_ = std::max(0.0, -rest);
@@ -118,7 +121,7 @@ class Arc {
 
  private:
   double integrand(double theta) const {
-    const double sine2 = square(std::sin(theta)), cosine2 = 1 - sine2, cosine = std::cos(theta);
+    const double sine2 = square(std::sin(theta)), cosine = std::cos(theta), cosine2 = square(cosine);
     const double s2 = near_ * near_ + product_ * k2_ * sine2;
     const double w = std::sqrt(least_w2_ + product_ * k2_ * cosine2);
     const double jacobian = 2 * std::sqrt(k2_) * cosine / std::sqrt(complement_ + k2_ * cosine2);
@@ -161,8 +164,8 @@ class Arc {
 
 /// Half of the angle of the sphere's circle that lies inside the cylinder's.
 double sphere_arc(double radius, const CylinderPart& c) {
-  const double sine2 = (c.radius - radius + c.distance) * (c.radius + radius - c.distance);
-  const double cosine2 = (radius + c.distance - c.radius) * (radius + c.distance + c.radius);
+  const double sine2 = excess(c.radius, c.distance, radius) * excess(c.radius, radius, c.distance);
+  const double cosine2 = excess(radius, c.distance, c.radius) * (radius + c.distance + c.radius);
   return 2 * std::atan2(std::sqrt(std::max(0.0, sine2)), std::sqrt(std::max(0.0, cosine2)));
 }
 
