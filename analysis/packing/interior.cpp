@@ -9,7 +9,7 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double surface_square = 4;  // diameters; narrower ones may hold no sphere of the surface
+constexpr double surface_square = 2;  // diameters; narrower ones may hold no sphere of the surface
 constexpr double upright = 1e-9;      // component along up of a normal below which a plane has no height
 constexpr double rounding = 1e-9;     // of the margin
 

@@ -24,7 +24,7 @@ struct Interior {
 /// The container's column at least context.options.interior_margin volume-mean diameters from
 /// - the side walls;
 /// - the floor, every plane (also a tilted one), and the domain's faces along up where it is not periodic;
-/// - the lowest point of the surface: of bed_height and of the highest spheres in squares 4 diameters wide;
+/// - the lowest point of the surface: of bed_height and of the highest spheres in squares 2 diameters wide;
 /// - the box about every other boundary: of the parts below and above it the higher is kept.
 /// There is none where the container's place is not known, nothing is left, or a plane or boundary cuts the column from
 /// top to bottom.

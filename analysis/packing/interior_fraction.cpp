@@ -49,7 +49,7 @@ void add_interior(MeasureResult& result, const Snapshot& snapshot, const Context
                         margin +
                         " mean diameters (sum d^4 / sum d^3) from side walls, floor, planes, other boundaries' boxes, "
                         "closed ends of the domain and the lowest point of the surface (bed_height, highest spheres in "
-                        "squares 4 diameters wide); uncertainty: standard error over up to 10 equal blocks of its "
+                        "squares 2 diameters wide); uncertainty: standard error over up to 10 equal blocks of its "
                         "height, at least one mean diameter thick"};
   Quantity volume{.key = "interior_volume",
                   .label = "volume of the interior",

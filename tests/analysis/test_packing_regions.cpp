@@ -72,10 +72,6 @@ BoundaryRecord block(const std::string& name, const Vec3& low, const Vec3& high)
   return {.name = name, .kind = "mesh", .points = {low, high}};
 }
 
-double interior(const Snapshot& s, const analysis::Options& options = {}) {
-  return value(measured(s, "packing", options), "interior_fraction");
-}
-
 /// Height of the interior of a bed in a box 20 wide: two diameters of 2 from the sides leave 12 x 12.
 double interior_height(const Snapshot& s) { return value(measured(s, "packing"), "interior_volume") / 144; }
 
@@ -205,7 +201,7 @@ TEST_CASE("the interior keeps clear of walls, floor and surface") {
   double solid = 0;
   for (int k = 2; k < 20; ++k) solid += 36 * sphere_slab_volume(1, 2 * k + 1, 4, surface - 4);
   CHECK(value(packing, "interior_fraction") == Approx(solid / (144 * (surface - 8))).epsilon(1e-12));
-  CHECK(packing.quantity("interior_fraction")->uncertainty.value() < 0.01);
+  CHECK(packing.quantity("interior_fraction")->uncertainty.value() < 0.02);
   const auto all = measured(s, "packing", {.interior_margin = 0});
   CHECK(value(all, "interior_volume") == Approx(400 * surface).epsilon(1e-12));
 }
@@ -298,7 +294,7 @@ TEST_CASE("a cylinder's interior and rings") {
   const auto packing = measured(inside, "packing", {.wall_layer = 0.7});
   const double height = value(packing, "bed_height"), surface = std::min(40.0, height);
   CHECK(value(packing, "interior_volume") == Approx(pi * 36 * (surface - 8)).epsilon(1e-12));
-  double solid = 0, rings = 0, shells = 0;
+  double solid = 0, rings = 0;
   for (const Vec3& p : inside.position) {
     const double d = std::hypot(p.x() - 10, p.y() - 10);
     solid += analysis::sphere_cylinder_volume(1, {d, 6, 4 - p.z(), surface - 4 - p.z()});
