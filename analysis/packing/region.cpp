@@ -1,7 +1,7 @@
 #include "analysis/packing/region.hpp"
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include "analysis/packing/lens.hpp"
 #include "analysis/packing/overlap_volume.hpp"
