@@ -50,7 +50,7 @@ void check_contacts(const Contacts& c) {
 }
 
 void check_options(const Options& options) {
-  for (double thickness : {options.profile_layer, options.segregation_layer}) {
+  for (double thickness : {options.profile_layer, options.segregation_layer, options.wall_layer}) {
     if (!(thickness >= 0) || !std::isfinite(thickness)) {
       throw InputError("a layer of " + std::to_string(thickness) +
                        " m; the thickness must be above 0 (0: the default)");
@@ -60,6 +60,14 @@ void check_options(const Options& options) {
     if (!(least >= 0) || !std::isfinite(least)) {
       throw InputError("clusters joined by a gap or a force of " + std::to_string(least) + "; it must be above 0");
     }
+  }
+  if (!(options.interior_margin >= 0) || !std::isfinite(options.interior_margin)) {
+    throw InputError("an interior " + std::to_string(options.interior_margin) +
+                     " diameters from the walls; the margin must be 0 or above");
+  }
+  if (!(options.map_cell >= 0) || !std::isfinite(options.map_cell)) {
+    throw InputError("map cells of " + std::to_string(options.map_cell) +
+                     " m; the width must be above 0 (0: the default)");
   }
 }
 

@@ -1,7 +1,10 @@
 // What the measures share about one snapshot, worked out once.
 #pragma once
 
+#include <vector>
+
 #include "analysis/contact_network.hpp"
+#include "analysis/packing/region.hpp"
 #include "core/bed.hpp"
 #include "core/bed_frame.hpp"
 #include "core/snapshot.hpp"
@@ -20,6 +23,10 @@ struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
   ClusterOptions clusters = {};
+  std::vector<NamedRegion> regions = {};  ///< whose solid fraction is wanted
+  double interior_margin = 2;             ///< from walls and surface to the interior, in volume-mean diameters
+  double wall_layer = 0;  ///< width of the rings and shells of the side walls' profiles [m]; 0: one mean radius
+  double map_cell = 0;    ///< width of the cells of the fraction map [m]; 0: one volume-mean diameter
 };
 
 struct Context {

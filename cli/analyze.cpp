@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/measures.hpp"
+#include "analysis/packing/fraction_map.hpp"
+#include "analysis/packing/region.hpp"
 #include "analysis/series.hpp"
 #include "analysis/time/course.hpp"
 #include "analysis/writers.hpp"
@@ -28,6 +30,8 @@ struct AnalyzeOptions {
   std::string at = "last";
   std::filesystem::path json;
   std::filesystem::path csv;
+  std::filesystem::path map;
+  std::vector<std::string> regions;
   analysis::Options measure;
   std::vector<std::int64_t> trajectories;
   bool list = false;
@@ -53,12 +57,17 @@ std::vector<analysis::TimedResults> measured(const RunReader& run, const Analyze
 }
 
 void analyze_one(const AnalyzeOptions& options) {
+  const bool whole_series = options.at == "all";
+  if (whole_series && !options.map.empty()) throw InputError("--map takes one instant; --at all has several");
   const RunReader run(options.paths.front());
   const auto series = measured(run, options);
-  const bool whole_series = options.at == "all";
   put_json(options.json, whole_series ? analysis::to_json(series) : analysis::to_json(series.front().results));
   if (!options.csv.empty() && whole_series) analysis::write_csv(options.csv, series);
   if (!options.csv.empty() && !whole_series) analysis::write_csv(options.csv, series.front().results);
+  if (!options.map.empty()) {
+    analysis::write_fraction_map(options.map, run.snapshot(selected_snapshots(run, options.at).front()),
+                                 options.measure);
+  }
   if (options.quiet || options.json == "-") return;
   fmt::print("{}  t = {:g} s\n\n{}", run.path().string(), series.back().time, analysis::to_text(series.back().results));
 }
@@ -66,6 +75,7 @@ void analyze_one(const AnalyzeOptions& options) {
 void analyze_several(const AnalyzeOptions& options) {
   if (options.at == "all") throw InputError("--at all takes one run; several runs are compared at one instant each");
   if (!options.csv.empty()) throw InputError("--csv takes one run; several runs are compared as text or --json");
+  if (!options.map.empty()) throw InputError("--map takes one run");
   std::vector<std::string> labels;
   std::vector<std::vector<analysis::MeasureResult>> results;
   auto json = nlohmann::ordered_json::array();
@@ -80,7 +90,8 @@ void analyze_several(const AnalyzeOptions& options) {
   if (!options.quiet && options.json != "-") fmt::print("{}", to_markdown(compare(labels, results)));
 }
 
-void analyze(const AnalyzeOptions& options) {
+void analyze(AnalyzeOptions& options) {
+  for (const auto& text : options.regions) options.measure.regions.push_back(analysis::parse_region(text));
   if (options.list) {
     for (const auto& measure : analysis::all_measures()) {
       fmt::print("{:<14}{}{}\n", measure.name, measure.description, measure.on_request ? " (takes long: name it)" : "");
@@ -123,6 +134,22 @@ void add_analyze(CLI::App& app) {
   verb->add_option("--trajectories", options->trajectories, "With --at all: ids of particles to follow, by comma")
       ->delimiter(',')
       ->allow_extra_args(false);
+  verb->add_option("--wall-layer", options->measure.wall_layer,
+                   "Width of the rings and shells of the profiles from the side walls [m] [one mean radius]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--interior-margin", options->measure.interior_margin,
+                   "Distance of the interior from walls, floor and surface, in mean diameters weighted by volume")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  verb->add_option("--region", options->regions,
+                   "Region whose solid fraction to measure, again for more: box:x0,y0,z0,x1,y1,z1; "
+                   "slab:AXIS,lower,upper; sphere:x,y,z,radius; cylinder:AXIS,u,v,lower,upper,radius; "
+                   "ring:AXIS,u,v,lower,upper,inner,outer; u, v: the axis' place in the other two coordinates")
+      ->allow_extra_args(false);
+  verb->add_option("--map", options->map, "Write the local solid fraction on a grid to FILE.vti");
+  verb->add_option("--map-cell", options->measure.map_cell,
+                   "Width of the map's cells [m] [one mean diameter weighted by volume]")
+      ->check(CLI::PositiveNumber);
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

@@ -3,6 +3,9 @@
 
 #include "analysis/layers.hpp"
 #include "analysis/measures.hpp"
+#include "analysis/packing/container.hpp"
+#include "analysis/packing/fractions.hpp"
+#include "analysis/packing/interior.hpp"
 #include "analysis/packing/lens.hpp"
 #include "core/bed.hpp"
 #include "core/geometry.hpp"
@@ -133,7 +136,13 @@ MeasureResult measure_packing(const Snapshot& snapshot, const Context& context) 
        .definition =
            "area perpendicular to up: the domain's, or that of the narrowest upright cylinder or box boundary"});
   add_overlap_share(result, snapshot, context, solid);
+  const Container container = container_of(snapshot, context.frame);
+  const Interior interior = interior_of(snapshot, context, container);
+  add_interior(result, snapshot, context, interior);
+  add_map(result, snapshot, context, container, interior);
   result.tables.push_back(vertical_profile(snapshot, context));
+  add_wall_profiles(result, snapshot, context, container);
+  add_regions(result, snapshot, context);
   return result;
 }
 
