@@ -8,10 +8,23 @@
 
 namespace packstone::analysis {
 
+/// Kernels of coarse-graining (forces/kernel.hpp).
+enum class Kernel { lucy, gaussian };
+
+/// What the user may choose about forces.
+struct ForceOptions {
+  double chain_threshold = 1;  ///< stress above which a particle can be in a force chain, in means
+  double chain_angle = 45;     ///< largest angle of a chain's link to the stress of its particles [degrees]
+  Kernel kernel = Kernel::lucy;
+  double kernel_width = 0;  ///< standard deviation of the kernel along an axis [m]; 0: one mean radius
+  double resolution = 1;    ///< gamma of the communities: larger values give smaller communities
+};
+
 /// What the user may choose.
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
+  ForceOptions forces = {};
 };
 
 struct Context {

@@ -28,7 +28,8 @@ const std::vector<Measure>& all_measures() {
       {"structure", "coordination numbers, rattlers", measure_structure},
       {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
       {"clusters", "clusters of touching like particles, against random labels", measure_clusters},
-      {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
+      {"forces", "forces of contacts, friction, stress, coarse-grained fields, force chains, k-cores", measure_forces},
+      {"communities", "communities of the network of forces", measure_communities, true},
       {"time", "how near the packing is to rest", measure_time},
   };
   return measures;
