@@ -27,7 +27,7 @@ double kernel_width(const Snapshot& snapshot, const Context& context);
 /// (layers.count) Fields averaged over the whole cross-section and over each layer, exactly: the plane means of the
 /// kernel integrated over the layer, so that sum density x area x thickness is the mass, to rounding, of what lies
 /// within the stack. With v = 0: d(stress_up)/d(up) = -density g + wall_force.
-/// Sources: Goldhirsch, Granular Matter 12 (2010) 239, eqs 10-27; boundaries: Weinhart et al., Granular Matter 14
+/// Sources: Goldhirsch, Granular Matter 12 (2010) 239; boundaries: Weinhart et al., Granular Matter 14
 /// (2012) 289.
 std::vector<CoarseCell> coarse_profile(const Snapshot& snapshot, const BedFrame& frame, const ForceNetwork& network,
                                        const CoarseKernel& kernel, const Layers& layers);

@@ -19,7 +19,8 @@ struct WeightedEdge {
 /// <w> the mean weight of an edge: a community counts by what its contacts carry beyond gamma times the mean, and
 /// nodes that do not touch expect nothing of each other. 1 - gamma for one community of all. The sum of weights must
 /// be above 0. label: (nodes).
-/// Source: Bassett, Owens, Porter, Manning, Daniels, Soft Matter 11 (2015) 2731, eqs 4 and 6, over the total weight.
+/// Source: Bassett, Owens, Porter, Manning, Daniels, Soft Matter 11 (2015) 2731, there without the total
+/// weight.
 double geographic_modularity(std::span<const WeightedEdge> edges, std::span<const std::uint32_t> label, double gamma);
 
 /// A partition whose modularity no move of a node and no merger of two communities improves: local moves, then moves

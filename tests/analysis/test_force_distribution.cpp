@@ -3,7 +3,10 @@
 #include <numeric>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <omp.h>
 
+#include "analysis/writers.hpp"
 #include "core/error.hpp"
 #include "tests/analysis/force_fixtures.hpp"
 
@@ -88,6 +91,23 @@ TEST_CASE("exponential forces: rate of the tail and histogram") {
     CHECK(std::abs(density[k] - exact) < 2 / (0.1 * n) + 1e-3);
   }
   CHECK(result.table("tangential_force_distribution")->rows.empty());
+}
+
+TEST_CASE("forces give the same bits for any number of threads") {
+  Snapshot s = pairs(6000);
+  Random random(2, RandomStream::filling_position, 0);
+  std::vector<double> velocity;
+  for (std::size_t k = 0; k < 3 * s.size(); ++k) velocity.push_back(random.uniform());
+  s.fields["velocity"] = {3, "m/s", velocity};
+  for (std::size_t k = 0; k + 1 < s.size(); ++k) press(s, k, k + 1, random.uniform());
+  const int before = omp_get_max_threads();
+  const auto with_threads = [&](int threads) {
+    omp_set_num_threads(threads);
+    return analysis::to_json(analysis::analyze(s, {"forces", "communities"}));
+  };
+  const auto one = with_threads(1), three = with_threads(3);
+  omp_set_num_threads(before);
+  CHECK(one == three);
 }
 
 TEST_CASE("one contact, equal forces and forces that pull have no tail") {
