@@ -27,6 +27,7 @@ void spread_over_layers(const Layers& layers, double low, double high, double ra
     first = std::max(first, 0.0);
     last = std::min(last, count - 1);
   }
+  if (!(first <= last)) return;
   auto layer = static_cast<Eigen::Index>(first - count * std::floor(first / count));
   double below = share_below(layers.bottom + layers.thickness * first);
   for (double k = first; k <= last; ++k) {
