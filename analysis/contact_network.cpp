@@ -1,7 +1,6 @@
 #include "analysis/contact_network.hpp"
 
-#include <unordered_map>
-
+#include "analysis/row_of_id.hpp"
 #include "core/error.hpp"
 
 namespace packstone::analysis {
@@ -9,24 +8,14 @@ namespace packstone::analysis {
 namespace {
 
 ContactNetwork stored(const Snapshot& snapshot, const Contacts& contacts) {
-  std::unordered_map<std::int64_t, std::uint32_t> row_of;
-  row_of.reserve(snapshot.size());
-  for (std::size_t i = 0; i < snapshot.size(); ++i) row_of.emplace(snapshot.id[i], static_cast<std::uint32_t>(i));
-  const auto row = [&](std::int64_t id) {
-    const auto found = row_of.find(id);
-    if (found == row_of.end()) {
-      throw InputError("a contact names particle " + std::to_string(id) +
-                       ", which the snapshot does not hold; read the snapshot whole");
-    }
-    return found->second;
-  };
-
+  const RowOfId row_of(snapshot.id);
   ContactNetwork network;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (!(contacts.overlap[k] > 0)) continue;
-    const std::uint32_t first = row(contacts.first[k]);
+    const bool touching = contacts.overlap[k] > 0;
+    const std::uint32_t first = row_of.at(contacts.first[k]);
     if (contacts.second[k] >= 0) {
-      network.pairs.push_back({first, row(contacts.second[k]), contacts.overlap[k]});
+      const std::uint32_t second = row_of.at(contacts.second[k]);
+      if (touching) network.pairs.push_back({first, second, contacts.overlap[k]});
       continue;
     }
     const auto boundary = static_cast<std::size_t>(-1 - contacts.second[k]);
@@ -34,7 +23,7 @@ ContactNetwork stored(const Snapshot& snapshot, const Contacts& contacts) {
       throw InputError("a contact names boundary " + std::to_string(boundary) + ", but the snapshot holds " +
                        std::to_string(snapshot.boundaries.size()));
     }
-    network.walls.push_back({first, static_cast<std::uint32_t>(boundary), contacts.overlap[k]});
+    if (touching) network.walls.push_back({first, static_cast<std::uint32_t>(boundary), contacts.overlap[k]});
   }
   return network;
 }

@@ -42,11 +42,14 @@ void check_particles(const Snapshot& s) {
 
 void check_contacts(const Contacts& c) {
   const std::size_t rows = c.size();
-  if (c.second.size() == rows && c.force.size() == rows && c.normal.size() == rows && c.overlap.size() == rows &&
-      c.sliding.size() == rows) {
-    return;
+  if (c.second.size() != rows || c.force.size() != rows || c.normal.size() != rows || c.overlap.size() != rows ||
+      c.sliding.size() != rows) {
+    throw InputError("the columns of the snapshot's contacts differ in length");
   }
-  throw InputError("the columns of the snapshot's contacts differ in length");
+  for (std::size_t k = 0; k < rows; ++k) {
+    if (c.force[k].allFinite() && c.normal[k].allFinite() && std::isfinite(c.overlap[k])) continue;
+    throw InputError("contact " + std::to_string(k) + ": its force, normal or overlap is not a number");
+  }
 }
 
 void check_options(const Options& options) {
@@ -71,10 +74,24 @@ void check_options(const Options& options) {
   }
 }
 
+void check_force_options(const ForceOptions& options) {
+  const auto check = [](const char* name, double value, bool good, const char* range) {
+    if (!good) throw InputError(std::string(name) + " is " + std::to_string(value) + "; it must be " + range);
+  };
+  const auto not_negative = [](double value) { return value >= 0 && std::isfinite(value); };
+  const double angle = options.chain_angle;
+  check("the chains' threshold", options.chain_threshold, not_negative(options.chain_threshold), "0 or above");
+  check("the chains' angle", angle, angle > 0 && angle <= 90, "above 0 and at most 90 degrees");
+  check("the kernel's width", options.kernel_width, not_negative(options.kernel_width), "above 0 (0: the default)");
+  check("the communities' resolution", options.resolution, options.resolution > 0 && std::isfinite(options.resolution),
+        "above 0");
+}
+
 }  // namespace
 
 Context make_context(const Snapshot& snapshot, const Options& options) {
   check_options(options);
+  check_force_options(options.forces);
   check_rows(snapshot);
   check_particles(snapshot);
   if (snapshot.contacts) check_contacts(*snapshot.contacts);

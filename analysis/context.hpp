@@ -18,6 +18,18 @@ struct ClusterOptions {
   bool any_type = false;   ///< particles of different types, too
 };
 
+/// Kernels of coarse-graining (forces/kernel.hpp).
+enum class Kernel { lucy, gaussian };
+
+/// What the user may choose about forces.
+struct ForceOptions {
+  double chain_threshold = 1;  ///< stress above which a particle can be in a force chain, in means
+  double chain_angle = 45;     ///< largest angle of a chain's link to the stress of its particles [degrees]
+  Kernel kernel = Kernel::lucy;
+  double kernel_width = 0;  ///< standard deviation of the kernel along an axis [m]; 0: one mean radius
+  double resolution = 1;    ///< gamma of the communities: larger values give smaller communities
+};
+
 /// What the user may choose.
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
@@ -27,6 +39,7 @@ struct Options {
   double interior_margin = 2;             ///< from walls and surface to the interior, in volume-mean diameters
   double wall_layer = 0;  ///< width of the rings and shells of the side walls' profiles [m]; 0: one mean radius
   double map_cell = 0;    ///< width of the cells of the fraction map [m]; 0: one volume-mean diameter
+  ForceOptions forces = {};
 };
 
 struct Context {

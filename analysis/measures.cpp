@@ -31,7 +31,8 @@ const std::vector<Measure>& all_measures() {
       {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
       {"clusters", "clusters of like particles that touch, are near or press hard, against random labels",
        measure_clusters},
-      {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
+      {"forces", "forces of contacts, friction, stress, coarse-grained fields, force chains, k-cores", measure_forces},
+      {"communities", "communities of the network of forces", measure_communities, true},
       {"time", "how near the packing is to rest, granular temperature by height", measure_time},
   };
   return measures;

@@ -15,6 +15,7 @@ MeasureResult measure_structure(const Snapshot& snapshot, const Context& context
 MeasureResult measure_segregation(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_clusters(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_forces(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_communities(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_time(const Snapshot& snapshot, const Context& context);
 
 struct Measure {

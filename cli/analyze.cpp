@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -106,6 +107,24 @@ void analyze(AnalyzeOptions& options) {
   }
 }
 
+void add_force_options(CLI::App& verb, analysis::ForceOptions& forces) {
+  verb.add_option("--chain-threshold", forces.chain_threshold, "Stress of particles in force chains, in means")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  verb.add_option("--chain-angle", forces.chain_angle, "Largest angle of a chain to its particles' stress [degrees]")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  verb.add_option("--kernel", forces.kernel, "Kernel of coarse-grained fields: lucy or gaussian [lucy]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, analysis::Kernel>{
+          {"lucy", analysis::Kernel::lucy}, {"gaussian", analysis::Kernel::gaussian}}));
+  verb.add_option("--kernel-width", forces.kernel_width,
+                  "Standard deviation of that kernel along an axis [m] [one mean radius]")
+      ->check(CLI::PositiveNumber);
+  verb.add_option("--community-resolution", forces.resolution, "Larger values give smaller communities")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_analyze(CLI::App& app) {
@@ -150,6 +169,7 @@ void add_analyze(CLI::App& app) {
   verb->add_option("--map-cell", options->measure.map_cell,
                    "Width of the map's cells [m] [one mean diameter weighted by volume]")
       ->check(CLI::PositiveNumber);
+  add_force_options(*verb, options->measure.forces);
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

@@ -1,29 +1,12 @@
 // Measure "forces": what the contacts carry.
 #include <algorithm>
 
+#include "analysis/forces/parts.hpp"
 #include "analysis/measures.hpp"
 
 namespace packstone::analysis {
 
 namespace {
-
-struct ForceSum {
-  double mean = 0, largest = 0;  // normal, pressing positive [N]
-  double sliding_share = 0;
-};
-
-ForceSum summed(const Contacts& contacts) {
-  const double n = static_cast<double>(contacts.size());
-  ForceSum sum;
-  sum.largest = contacts.force[0].dot(contacts.normal[0]);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const double normal = contacts.force[k].dot(contacts.normal[k]);
-    sum.mean += normal / n;
-    sum.largest = std::max(sum.largest, normal);
-    sum.sliding_share += contacts.sliding[k] / n;
-  }
-  return sum;
-}
 
 void add_overlaps(MeasureResult& result, const Context& context) {
   Quantity mean{.key = "overlap_mean",
@@ -56,29 +39,14 @@ void add_overlaps(MeasureResult& result, const Context& context) {
 }  // namespace
 
 MeasureResult measure_forces(const Snapshot& snapshot, const Context& context) {
-  Quantity mean{
-      .key = "normal_force_mean",
-      .label = "mean normal force",
-      .unit = "N",
-      .definition = "mean of F.n over all stored contacts with particles and boundaries; pressing is positive"};
-  Quantity largest{.key = "normal_force_max",
-                   .label = "largest normal force",
-                   .unit = "N",
-                   .definition = "largest F.n of a stored contact; pressing is positive"};
-  Quantity sliding{.key = "sliding_share",
-                   .label = "share of sliding contacts",
-                   .definition = "share of the stored contacts whose friction is at its Coulomb limit"};
-  if (snapshot.contacts && snapshot.contacts->size() > 0) {
-    const ForceSum sum = summed(*snapshot.contacts);
-    mean.value = sum.mean;
-    largest.value = sum.largest;
-    sliding.value = sum.sliding_share;
-  } else {
-    const std::string reason = snapshot.contacts ? "no contacts" : "the snapshot holds no contact forces";
-    for (Quantity* q : {&mean, &largest, &sliding}) *q = not_applicable(*q, reason);
-  }
-  MeasureResult result{.name = "forces", .quantities = {mean, largest, sliding}};
+  MeasureResult result{.name = "forces"};
+  const ForceNetwork network = force_network(snapshot);
+  add_force_distribution(result, snapshot, network);
   add_overlaps(result, context);
+  add_stress(result, snapshot, context, network);
+  add_coarse_fields(result, snapshot, context, network);
+  add_force_chains(result, snapshot, context, network);
+  add_cores(result, snapshot, context);
   return result;
 }
 
