@@ -8,10 +8,20 @@
 
 namespace packstone::analysis {
 
+/// What the shares of the types are of.
+enum class ShareBy { number, volume, mass };
+
+/// Up as the snapshot has it, or an axis of the domain.
+enum class AlongAxis { up, x, y, z };
+
 /// What the user may choose.
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
+  double segregation_cell = 0;   ///< edge of the cells of the segregation index [m]; 0: three mean diameters
+  int segregation_rings = 0;     ///< rings of the segregation index; 0: by the size of the bed
+  ShareBy segregation_by = ShareBy::volume;
+  AlongAxis segregation_axis = AlongAxis::up;  ///< of the layers and of the rings
 };
 
 struct Context {

@@ -26,7 +26,8 @@ const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, vertical profile", measure_packing},
       {"structure", "coordination numbers, rattlers", measure_structure},
-      {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
+      {"segregation", "how well the types are mixed: by layers, rings, cells and contacts, against random mixing",
+       measure_segregation},
       {"clusters", "clusters of touching like particles, against random labels", measure_clusters},
       {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
       {"time", "how near the packing is to rest", measure_time},

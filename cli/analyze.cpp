@@ -2,11 +2,13 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/layers.hpp"
 #include "analysis/measures.hpp"
 #include "analysis/writers.hpp"
 #include "cli/comparison.hpp"
@@ -96,6 +98,7 @@ void analyze(const AnalyzeOptions& options) {
 }  // namespace
 
 void add_analyze(CLI::App& app) {
+  using analysis::AlongAxis, analysis::ShareBy;
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
   verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
@@ -111,6 +114,19 @@ void add_analyze(CLI::App& app) {
   verb->add_option("--segregation-layer", options->measure.segregation_layer,
                    "Thickness of the layers of composition and segregation [m] [one mean diameter]")
       ->check(CLI::PositiveNumber);
+  verb->add_option("--segregation-cells", options->measure.segregation_cell,
+                   "Edge of the cells of segregation [m] [three mean diameters]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--segregation-rings", options->measure.segregation_rings,
+                   "Number of rings of segregation about the axis [outermost one diameter wide]")
+      ->check(CLI::Range(2, static_cast<int>(analysis::most_layers)));
+  verb->add_option("--segregation-by", options->measure.segregation_by, "Shares by number, volume or mass [volume]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ShareBy>{
+          {"number", ShareBy::number}, {"volume", ShareBy::volume}, {"mass", ShareBy::mass}}));
+  verb->add_option("--segregation-axis", options->measure.segregation_axis,
+                   "Axis of the layers and rings of segregation: up, x, y or z [up]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, AlongAxis>{
+          {"up", AlongAxis::up}, {"x", AlongAxis::x}, {"y", AlongAxis::y}, {"z", AlongAxis::z}}));
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });
