@@ -48,7 +48,8 @@ struct MixingNumbers {
 
 /// Particles change places at random. Where amounts are linked to types (Amounts::linked) a particle takes its size and
 /// its amount along, and the layers are cut anew; else only the types change places. So a random bed has the same
-/// places, and compartments by centres the same number of particles. About 100 bytes a particle and thread.
+/// places, and compartments by centres the same number of particles. About 40 bytes a particle and
+/// thread.
 MixingNumbers mixing_numbers(const MixedBed& bed);
 
 }  // namespace packstone::analysis

@@ -39,7 +39,7 @@ CellGrid box_of(const Snapshot& snapshot) {
       }
     }
     box.low[k] = low;
-    box.size[k] = high - low;
+    box.size[k] = std::min(high - low, std::numeric_limits<double>::max());
   }
   return box;
 }
@@ -150,7 +150,11 @@ Division divided_into_rings(const Snapshot& snapshot, const Rings& rings) {
   return division;
 }
 
-double CellGrid::edge() const { return std::cbrt(size.prod() / all_cells(*this)); }
+double CellGrid::edge() const {
+  double edge = 1;  // cube roots first: the volume of a box out to a lost particle may overflow
+  for (int k = 0; k < 3; ++k) edge *= std::cbrt(size[k] / static_cast<double>(count[static_cast<std::size_t>(k)]));
+  return edge;
+}
 
 int longest_axis(const Snapshot& snapshot) {
   int axis = 0;

@@ -65,8 +65,8 @@ void divide_into_cells(MixedBed& bed, double diameter) {
     part.missing = "the particles have no size, and no cell is chosen";
     return;
   }
-  bed.cells = cell_grid(bed.snapshot, edge);
-  part = divided(divided_into_cells(bed.snapshot, bed.cells), bed, "all particles lie in one cell");
+  const CellGrid grid = cell_grid(bed.snapshot, edge);
+  part = divided(divided_into_cells(bed.snapshot, grid), bed, "all particles lie in one cell");
 }
 
 void divide_at_all_scales(MixedBed& bed, double diameter) {

@@ -16,7 +16,7 @@ namespace packstone::analysis {
 /// Divisions of the whole bed that have indices of their own.
 enum Part : std::size_t { layers_part, rings_part, cells_part, part_count };
 
-/// A division with its words.
+/// A division of the bed, and what lies in it.
 struct DividedBed {
   Division division;
   std::string missing = {};      ///< why it says nothing; empty where it does
@@ -32,7 +32,6 @@ struct MixedBed {
   std::string missing = {};  ///< why there is nothing to mix; empty where there is. Then nothing below is set
   Layers layers = {};
   Rings rings = {};
-  CellGrid cells = {};
   std::array<DividedBed, part_count> parts = {};
   std::vector<CellGrid> grids = {};   ///< of all scales of scrutiny
   std::vector<Division> scales = {};  ///< in their cells

@@ -6,6 +6,7 @@
 
 #include "analysis/segregation/arrangement.hpp"
 #include "tests/analysis/fixtures.hpp"
+#include "tests/analysis/moments.hpp"
 
 using namespace packstone;
 using namespace packstone::analysis;
@@ -36,19 +37,6 @@ Sample sample_of(const Snapshot& s, double thickness) {
 RandomReference random_arrangements(const Snapshot& s, double thickness) {
   const Context context = make_context(s, {.segregation_layer = thickness});
   return mixing_numbers(mixed_bed(s, context)).random[index_of(layers_part, variance)];
-}
-
-struct Moments {
-  double mean, error, deviation;
-};
-
-Moments moments(const std::vector<double>& values) {
-  const double n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0;
-  for (double v : values) squares += (v - mean) * (v - mean);
-  const double deviation = std::sqrt(squares / (n - 1));
-  return {mean, deviation / std::sqrt(n), deviation};
 }
 
 constexpr double sigmas = 4;

@@ -10,6 +10,7 @@
 #include "analysis/segregation/contact_mixing.hpp"
 #include "core/error.hpp"
 #include "tests/analysis/fixtures.hpp"
+#include "tests/analysis/moments.hpp"
 
 using namespace packstone;
 using namespace packstone::analysis;
@@ -67,18 +68,6 @@ double unlike_join_variance(const std::vector<NearPair>& joins, double first, do
   const double at_corner = first * second / (n * (n - 1));  // x y x or y x y
   const double apart = 4 * first * (first - 1) * second * (second - 1) / (n * (n - 1) * (n - 2) * (n - 3));
   return m * one + adjoining * at_corner + (m * (m - 1) - adjoining) * apart - m * m * one * one;
-}
-
-struct Moments {
-  double mean = 0, variance = 0, count = 0;
-  double error() const { return std::sqrt(variance / count); }
-};
-
-Moments moments(const std::vector<double>& x) {
-  Moments m{.count = static_cast<double>(x.size())};
-  for (double v : x) m.mean += v / m.count;
-  for (double v : x) m.variance += (v - m.mean) * (v - m.mean) / (m.count - 1);
-  return m;
 }
 
 constexpr double sigmas = 4;
@@ -264,10 +253,10 @@ TEST_CASE("z-scores of random labels are standard normal, Lacey's index is 1 on 
     const double error = std::sqrt(1.0 / seeds + 1.0 / permutation_count(216));
     CHECK(std::abs(m.mean) < sigmas * error);
     // Likewise two variances from 200 each; the kurtosis of these numbers is below 4.
-    CHECK(m.variance == Approx(1).epsilon(sigmas * std::sqrt((4.0 - 1) * (1.0 / seeds + 1.0 / 200))));
+    CHECK(m.deviation * m.deviation == Approx(1).epsilon(sigmas * std::sqrt((4.0 - 1) * (1.0 / seeds + 1.0 / 200))));
   }
   const Moments m = moments(lacey);
-  CHECK(std::abs(m.mean - 1) < sigmas * m.error());
+  CHECK(std::abs(m.mean - 1) < sigmas * m.error);
 }
 
 TEST_CASE("sizes linked to types: Stange's variance for cells of a random mixture") {
@@ -307,7 +296,7 @@ TEST_CASE("contacts of types that differ in size: ends joined at random") {
   const Moments all = moments(shares);
   const RandomReference random = unlike_share_of_ends(contacts, list);
   CHECK(random.mean == Approx(all.mean).epsilon(1e-12));
-  CHECK(random.deviation == Approx(std::sqrt(all.variance * 719 / 720)).epsilon(1e-12));
+  CHECK(random.deviation == Approx(all.deviation * std::sqrt(719.0 / 720)).epsilon(1e-12));
 }
 
 TEST_CASE("scale of scrutiny: finer structure than the cells is mixed, coarser separated") {
@@ -447,8 +436,12 @@ TEST_CASE("a particle far away does not fill the memory") {
   Snapshot s = closed_bed(4, 4, 4);
   label(s, [](int x, int, int) { return x % 2; });
   s.domain.max = Vec3(1e9, 1e9, 1e9);
-  add_particle(s, Vec3(1e9, 1e9, 1e9), 1, 0);
-  CHECK(value(measured(s, "segregation"), "cell_intensity") >= 0);
+  const double far = GENERATE(1e9, 1e308);
+  add_particle(s, Vec3(far, far, -far), s.radius.front(), 0);
+  const auto result = measured(s, "segregation");
+  const double p = 32.0 / 65;  // of the heavy, all of whom share a cell with 32 light
+  const double variance = 64.0 / 65 * std::pow(0.5 - p, 2) + 1.0 / 65 * p * p;
+  CHECK(value(result, "cell_intensity") == Approx(variance / (p * (1 - p))).epsilon(1e-6));
 }
 
 TEST_CASE("sizes of none, by number: chosen layers and cells work") {
@@ -465,4 +458,5 @@ TEST_CASE("bad options are refused in one line") {
   CHECK_THROWS_AS(measured(s, "segregation", {.segregation_cell = -1}), InputError);
   CHECK_THROWS_AS(measured(s, "segregation", {.segregation_cell = std::nan("")}), InputError);
   CHECK_THROWS_AS(measured(s, "segregation", {.segregation_rings = -2}), InputError);
+  CHECK_THROWS_AS(measured(s, "segregation", {.segregation_rings = 1}), InputError);
 }
