@@ -72,6 +72,14 @@ void check_options(const Options& options) {
     throw InputError("map cells of " + std::to_string(options.map_cell) +
                      " m; the width must be above 0 (0: the default)");
   }
+  if (!(options.segregation_cell >= 0) || !std::isfinite(options.segregation_cell)) {
+    throw InputError("segregation cells of " + std::to_string(options.segregation_cell) +
+                     " m; the edge must be above 0 (0: the default)");
+  }
+  if (options.segregation_rings < 0 || options.segregation_rings == 1) {
+    throw InputError(std::to_string(options.segregation_rings) +
+                     " segregation rings; there must be two or more (0: the default)");
+  }
 }
 
 void check_force_options(const ForceOptions& options) {

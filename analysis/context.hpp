@@ -30,6 +30,12 @@ struct ForceOptions {
   double resolution = 1;    ///< gamma of the communities: larger values give smaller communities
 };
 
+/// What the shares of the types are of.
+enum class ShareBy { number, volume, mass };
+
+/// Up as the snapshot has it, or an axis of the domain.
+enum class AlongAxis { up, x, y, z };
+
 /// What the user may choose.
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
@@ -40,6 +46,10 @@ struct Options {
   double wall_layer = 0;  ///< width of the rings and shells of the side walls' profiles [m]; 0: one mean radius
   double map_cell = 0;    ///< width of the cells of the fraction map [m]; 0: one volume-mean diameter
   ForceOptions forces = {};
+  double segregation_cell = 0;  ///< edge of the cells of the segregation index [m]; 0: three mean diameters
+  int segregation_rings = 0;    ///< rings of the segregation index; 0: by the size of the bed
+  ShareBy segregation_by = ShareBy::volume;
+  AlongAxis segregation_axis = AlongAxis::up;  ///< of the layers and of the rings
 };
 
 struct Context {

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry.hpp"
-
 namespace packstone::analysis {
 
 namespace {
 
 constexpr double rounding_slack = 1e-9;  // layers: a top that exceeds a layer by rounding opens no further layer
-constexpr double farthest_layer = 1e15;  // keeps the index of a lost particle within an integer
-
-std::ptrdiff_t layer_of(double height, const Layers& layers) {
-  const double layer = std::floor((height - layers.bottom) / layers.thickness);
-  return static_cast<std::ptrdiff_t>(std::clamp(layer, -farthest_layer, farthest_layer));
-}
 
 }  // namespace
 
@@ -39,26 +31,11 @@ LayerPieces cut_into_layers(std::span<const double> height, std::span<const doub
   LayerPieces pieces;
   pieces.begin.reserve(height.size() + 1);
   pieces.begin.push_back(0);
-  const auto count = static_cast<std::ptrdiff_t>(layers.count);
-  for (std::size_t i = 0; i < height.size() && count > 0; ++i) {
-    const double low = height[i] - radius[i], high = height[i] + radius[i];
-    std::ptrdiff_t first = layer_of(low, layers), last = layer_of(high, layers);
-    if (!layers.periodic) {
-      const std::ptrdiff_t lowest = 0, highest = count - 1;
-      const bool keep = outside == Outside::to_nearest_layer;
-      first = keep ? std::clamp(first, lowest, highest) : std::max(first, lowest);
-      last = keep ? std::clamp(last, lowest, highest) : std::min(last, highest);
-    }
-    for (std::ptrdiff_t k = first; k <= last; ++k) {
-      const bool open_below = outside == Outside::to_nearest_layer && !layers.periodic && k == 0;
-      const bool open_above = outside == Outside::to_nearest_layer && !layers.periodic && k == count - 1;
-      const double from = layers.bottom + layers.thickness * static_cast<double>(k);
-      const double volume = sphere_slab_volume(radius[i], height[i], open_below ? low : from,
-                                               open_above ? high : from + layers.thickness);
-      if (volume <= 0) continue;
-      pieces.layer.push_back(static_cast<std::uint32_t>(((k % count) + count) % count));
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    for_layer_pieces(height[i], radius[i], layers, outside, [&](std::uint32_t layer, double volume) {
+      pieces.layer.push_back(layer);
       pieces.volume.push_back(volume);
-    }
+    });
     pieces.begin.push_back(pieces.layer.size());
   }
   return pieces;

@@ -1,12 +1,15 @@
 // Horizontal layers of equal thickness, and the exact volume of every sphere in each.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/bed_frame.hpp"
+#include "core/geometry.hpp"
 
 namespace packstone::analysis {
 
@@ -19,6 +22,12 @@ struct Layers {
 
   double lower(std::size_t layer) const { return bottom + thickness * static_cast<double>(layer); }
   double upper(std::size_t layer) const { return lower(layer + 1); }
+
+  /// Index of the layer at a height, as if the stack went on below and above; count must not be 0.
+  std::ptrdiff_t at(double height) const {
+    constexpr double farthest = 1e15;  // keeps the index of a lost particle within an integer
+    return static_cast<std::ptrdiff_t>(std::clamp(std::floor((height - bottom) / thickness), -farthest, farthest));
+  }
 };
 
 /// At most so many layers: one particle far above the bed must not fill the memory.
@@ -28,15 +37,38 @@ inline constexpr std::size_t most_layers = 2000;
 /// domain where it is periodic along up (then the thickness divides it evenly). None without particles.
 Layers layers_over_bed(const BedFrame& frame, const std::vector<double>& radius, double thickness);
 
+/// What to do with the part of a sphere outside the layers of a stack that is not periodic.
+enum class Outside { dropped, to_nearest_layer };
+
+/// function(layer, volume) for every part of one sphere, from below [m3].
+template <class Function>
+void for_layer_pieces(double height, double radius, const Layers& layers, Outside outside, Function function) {
+  const auto count = static_cast<std::ptrdiff_t>(layers.count);
+  if (count == 0) return;
+  const double low = height - radius, high = height + radius;
+  const bool keep = outside == Outside::to_nearest_layer && !layers.periodic;
+  std::ptrdiff_t first = layers.at(low), last = layers.at(high);
+  if (!layers.periodic) {
+    const std::ptrdiff_t lowest = 0, highest = count - 1;
+    first = keep ? std::clamp(first, lowest, highest) : std::max(first, lowest);
+    last = keep ? std::clamp(last, lowest, highest) : std::min(last, highest);
+  }
+  for (std::ptrdiff_t k = first; k <= last; ++k) {
+    const double from = layers.bottom + layers.thickness * static_cast<double>(k);
+    const double lower = keep && k == 0 ? low : from;
+    const double upper = keep && k == count - 1 ? high : from + layers.thickness;
+    const double volume = sphere_slab_volume(radius, height, lower, upper);
+    const std::ptrdiff_t layer = layers.periodic ? ((k % count) + count) % count : k;
+    if (volume > 0) function(static_cast<std::uint32_t>(layer), volume);
+  }
+}
+
 /// The parts of all spheres by layer, particle after particle.
 struct LayerPieces {
   std::vector<std::size_t> begin;    ///< (N + 1) pieces of particle i are [begin[i], begin[i + 1])
   std::vector<std::uint32_t> layer;  ///< of a piece
   std::vector<double> volume;        ///< of a piece [m3]
 };
-
-/// What to do with the part of a sphere outside the layers of a stack that is not periodic.
-enum class Outside { dropped, to_nearest_layer };
 
 LayerPieces cut_into_layers(std::span<const double> height, std::span<const double> radius, const Layers& layers,
                             Outside outside);

@@ -26,9 +26,10 @@ void check_selection(const std::vector<std::string>& selection) {
 
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
-      {"packing", "solid fraction and height of the bed, vertical profile", measure_packing},
+      {"packing", "solid fraction and height of the bed, of its interior and of regions, profiles", measure_packing},
       {"structure", "coordination numbers, rattlers", measure_structure},
-      {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
+      {"segregation", "how well the types are mixed: by layers, rings, cells and contacts, against random mixing",
+       measure_segregation},
       {"clusters", "clusters of like particles that touch, are near or press hard, against random labels",
        measure_clusters},
       {"forces", "forces of contacts, friction, stress, coarse-grained fields, force chains, k-cores", measure_forces},

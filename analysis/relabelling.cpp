@@ -16,12 +16,30 @@ constexpr std::size_t most_permutations = 200;
 constexpr std::size_t fewest_permutations = 20;
 constexpr double negligible_deviation = 1e-12;  // of the mean: rounding, not spread
 
+constexpr double band_tail = 0.025;          // of the labellings beyond each end of the band
+constexpr std::size_t fewest_for_band = 40;  // one labelling in each tail
+
+/// Linear between the sorted values.
+double percentile(const std::vector<double>& sorted, double share) {
+  const double position = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
+}
+
 RandomReference summarised(const std::vector<std::vector<double>>& samples, std::size_t k) {
   const double n = static_cast<double>(samples.size());
   double mean = 0, squares = 0;
   for (const auto& sample : samples) mean += sample[k] / n;
   for (const auto& sample : samples) squares += (sample[k] - mean) * (sample[k] - mean);
-  return {mean, std::sqrt(squares / (n - 1))};
+  RandomReference reference{mean, std::sqrt(squares / (n - 1))};
+  if (samples.size() < fewest_for_band) return reference;
+  std::vector<double> sorted;
+  for (const auto& sample : samples) sorted.push_back(sample[k]);
+  std::sort(sorted.begin(), sorted.end());
+  reference.low = percentile(sorted, band_tail);
+  reference.high = percentile(sorted, 1 - band_tail);
+  return reference;
 }
 
 Quantity random_quantity(const Quantity& quantity, const std::string& model) {

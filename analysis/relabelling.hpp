@@ -11,10 +11,12 @@
 
 namespace packstone::analysis {
 
-/// Mean and standard deviation of a number over random labellings.
+/// Mean and standard deviation of a number over random labellings, and the band that holds 95 % of them.
 struct RandomReference {
   double mean = 0;
   double deviation = 0;
+  std::optional<double> low = {};   ///< 2.5th percentile; none from fewer than 40 labellings
+  std::optional<double> high = {};  ///< 97.5th percentile
 };
 
 /// Permutations for a system of so many particles: 200 up to 1e5 particles, fewer beyond to bound the work, at
@@ -27,7 +29,8 @@ std::vector<std::int32_t> permuted(std::span<const std::int32_t> labels, std::ui
 /// Numbers of one labelling; always as many. Called from several threads at once.
 using LabelStatistics = std::function<std::vector<double>(std::span<const std::int32_t> labels)>;
 
-/// Mean and sample standard deviation of every number over the permutations (two or more).
+/// Mean, sample standard deviation and percentiles (linear between the sorted values) of every number over the
+/// permutations (two or more).
 std::vector<RandomReference> over_random_labels(std::span<const std::int32_t> labels, int permutations,
                                                 const LabelStatistics& statistics);
 

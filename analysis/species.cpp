@@ -1,7 +1,7 @@
 #include "analysis/species.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/geometry.hpp"
 #include "core/text.hpp"
@@ -10,15 +10,23 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double size_link_threshold = 0.1;
+constexpr double link_threshold = 0.1;  // of the mean
 
 }  // namespace
 
 bool SpeciesList::size_linked() const {
-  const double mean = volume / static_cast<double>(label.size());
-  return std::any_of(species.begin(), species.end(), [&](const Species& s) {
-    return std::abs(s.volume / static_cast<double>(s.count) - mean) > size_link_threshold * mean;
-  });
+  std::vector<double> volumes;
+  for (const auto& s : species) volumes.push_back(s.volume);
+  return linked(volumes);
+}
+
+bool SpeciesList::linked(const std::vector<double>& by_species) const {
+  const double total = std::accumulate(by_species.begin(), by_species.end(), 0.0);
+  const double mean = total / static_cast<double>(label.size());
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    if (std::abs(by_species[s] / static_cast<double>(species[s].count) - mean) > link_threshold * mean) return true;
+  }
+  return false;
 }
 
 std::string SpeciesList::legend() const {

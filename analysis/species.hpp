@@ -25,9 +25,13 @@ struct SpeciesList {
   std::size_t size() const { return species.size(); }
   double share(std::size_t s) const { return species[s].volume / volume; }  ///< of the solid volume
 
-  /// Whether particles of one type differ in size from those of another: some type's mean volume is more than 10 %
-  /// off the mean of all. Then exchanging labels would also exchange sizes, and is no model of random mixing.
+  /// Whether particles of one type differ in size from those of another (linked(), by volume). Then exchanging labels
+  /// would also exchange sizes, and is no model of random mixing.
   bool size_linked() const;
+
+  /// Whether an amount that every particle has depends on its type: some type's mean is more than 10 % off the mean of
+  /// all. by_species: (species) sum over the type's particles.
+  bool linked(const std::vector<double>& by_species) const;
 
   /// "0 light, 1 heavy", for captions.
   std::string legend() const;

@@ -22,17 +22,29 @@ std::string padded(const std::string& text, std::size_t columns, bool to_right =
   return to_right ? gap + text : text + gap;
 }
 
+/// How many quantities after this one lack a value for the same reason as it does.
+std::size_t missing_likewise(const std::vector<Quantity>& quantities, std::size_t first) {
+  const Quantity& q = quantities[first];
+  std::size_t end = first + 1;
+  while (end < quantities.size() && !q.value && !quantities[end].value && quantities[end].note == q.note) ++end;
+  return end - first - 1;
+}
+
 void add_quantities(std::string& text, const MeasureResult& result) {
   std::size_t label_width = 0, value_width = 0;
   for (const auto& q : result.quantities) {
     label_width = std::max(label_width, width(q.label));
     if (q.value) value_width = std::max(value_width, width(value_text(q)));
   }
-  for (const auto& q : result.quantities) {
+  for (std::size_t k = 0; k < result.quantities.size(); ++k) {
+    const Quantity& q = result.quantities[k];
     std::string line = "  " + padded(q.label, label_width) + "  " + padded(value_text(q), value_width);
     if (q.value && !q.unit.empty()) line += " " + q.unit;
     if (!q.note.empty()) line += "  (" + q.note + ")";
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    const std::size_t more = missing_likewise(result.quantities, k);
+    if (more > 1) text += fmt::format("  ... {} more numbers do not exist for this reason\n", more);
+    if (more > 1) k += more;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/layers.hpp"
 #include "analysis/measures.hpp"
 #include "analysis/packing/fraction_map.hpp"
 #include "analysis/packing/region.hpp"
@@ -128,6 +129,7 @@ void add_force_options(CLI::App& verb, analysis::ForceOptions& forces) {
 }  // namespace
 
 void add_analyze(CLI::App& app) {
+  using analysis::AlongAxis, analysis::ShareBy;
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
   verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
@@ -170,6 +172,19 @@ void add_analyze(CLI::App& app) {
                    "Width of the map's cells [m] [one mean diameter weighted by volume]")
       ->check(CLI::PositiveNumber);
   add_force_options(*verb, options->measure.forces);
+  verb->add_option("--segregation-cells", options->measure.segregation_cell,
+                   "Edge of the cells of segregation [m] [three mean diameters]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--segregation-rings", options->measure.segregation_rings,
+                   "Number of rings of segregation about the axis [outermost one diameter wide]")
+      ->check(CLI::Range(2, static_cast<int>(analysis::most_layers)));
+  verb->add_option("--segregation-by", options->measure.segregation_by, "Shares by number, volume or mass [volume]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ShareBy>{
+          {"number", ShareBy::number}, {"volume", ShareBy::volume}, {"mass", ShareBy::mass}}));
+  verb->add_option("--segregation-axis", options->measure.segregation_axis,
+                   "Axis of the layers and rings of segregation: up, x, y or z [up]")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, AlongAxis>{
+          {"up", AlongAxis::up}, {"x", AlongAxis::x}, {"y", AlongAxis::y}, {"z", AlongAxis::z}}));
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

@@ -4,44 +4,43 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/geometry.hpp"
-
 namespace packstone::analysis {
 
 namespace {
 
-/// Sums over the particles of a layer that the random variances need.
-struct LayerSums {
-  std::vector<double> squares;  // sum w^2 [m6]
-  std::vector<double> crossed;  // sum w v [m6]
-  std::vector<double> kept;     // sum w^2 / v [m3]
+/// Sums over the particles of a compartment that the random variances need.
+struct PieceSums {
+  std::vector<double> squares;  // sum w^2
+  std::vector<double> crossed;  // sum w v
+  std::vector<double> kept;     // sum w^2 / v
 };
 
-LayerSums layer_sums(const LayerPieces& pieces, std::size_t layers, std::span<const double> radius) {
-  LayerSums sums{std::vector<double>(layers, 0.0), std::vector<double>(layers, 0.0), std::vector<double>(layers, 0.0)};
-  for (std::size_t i = 0; i < radius.size(); ++i) {
-    const double v = sphere_volume(radius[i]);
-    for (std::size_t k = pieces.begin[i]; k < pieces.begin[i + 1]; ++k) {
-      const double w = pieces.volume[k];
-      sums.squares[pieces.layer[k]] += w * w;
-      sums.crossed[pieces.layer[k]] += w * v;
-      sums.kept[pieces.layer[k]] += w * (w / v);
-    }
+PieceSums piece_sums(const Division& division, std::span<const double> amount) {
+  const std::vector<double> none(division.count, 0.0);
+  PieceSums sums{none, none, none};
+  for (std::size_t i = 0; i < amount.size(); ++i) {
+    division.for_pieces(i, [&](std::uint32_t l, double share) {
+      const double w = share * amount[i];
+      sums.squares[l] += w * w;
+      sums.crossed[l] += w * amount[i];
+      sums.kept[l] += w * share;
+    });
   }
   return sums;
 }
 
-/// (layers * species), labels exchangeable.
-std::vector<double> label_variance(const LayerSums& sums, const SpeciesList& list, const Composition& composition,
-                                   std::span<const double> radius) {
+/// Labels exchangeable.
+std::vector<double> label_variance(const PieceSums& sums, const SpeciesList& list, const Amounts& amounts,
+                                   const Composition& composition) {
   const double n = static_cast<double>(list.label.size());
   double all_squares = 0;
-  for (double r : radius) all_squares += sphere_volume(r) * sphere_volume(r);
+  for (const double v : amounts.of) all_squares += v * v;
   std::vector<double> variance;
-  for (std::size_t l = 0; l < composition.layer.size(); ++l) {
-    const double w = composition.layer[l];
-    const double spread = w > 0 ? sums.squares[l] / (w * w) - 2 * sums.crossed[l] / (w * list.volume) +
-                                      all_squares / (list.volume * list.volume)
+  variance.reserve(composition.amount.size());
+  for (std::size_t l = 0; l < composition.whole.size(); ++l) {
+    const double w = composition.whole[l];
+    const double spread = w > 0 ? sums.squares[l] / (w * w) - 2 * sums.crossed[l] / (w * amounts.total) +
+                                      all_squares / (amounts.total * amounts.total)
                                 : 0.0;
     for (const auto& species : list.species) {
       const double p = static_cast<double>(species.count) / n;
@@ -51,91 +50,114 @@ std::vector<double> label_variance(const LayerSums& sums, const SpeciesList& lis
   return variance;
 }
 
-/// (layers * species), sizes linked to type.
-std::vector<double> sampling_variance(const LayerSums& sums, const SpeciesList& list, const Composition& composition,
-                                      std::span<const double> radius) {
+/// Amounts linked to type.
+std::vector<double> sampling_variance(const PieceSums& sums, const SpeciesList& list, const Amounts& amounts,
+                                      const Composition& composition) {
   const double n = static_cast<double>(list.label.size());
   std::vector<double> residual(list.size(), 0.0);  // sum v^2 (x - P)^2
-  for (std::size_t i = 0; i < radius.size(); ++i) {
-    const double v = sphere_volume(radius[i]);
+  for (std::size_t i = 0; i < amounts.of.size(); ++i) {
+    const double v = amounts.of[i];
     for (std::size_t s = 0; s < list.size(); ++s) {
-      const double off = (static_cast<std::size_t>(list.label[i]) == s ? 1.0 : 0.0) - list.share(s);
+      const double off = (static_cast<std::size_t>(list.label[i]) == s ? 1.0 : 0.0) - amounts.share(s);
       residual[s] += v * v * off * off;
     }
   }
   std::vector<double> variance;
-  for (std::size_t l = 0; l < composition.layer.size(); ++l) {
-    const double w = composition.layer[l];
-    const double spread = w > 0 ? std::max(0.0, sums.kept[l] / (w * w) - 1 / list.volume) : 0.0;
-    for (std::size_t s = 0; s < list.size(); ++s) variance.push_back(n / (n - 1) * residual[s] / list.volume * spread);
+  variance.reserve(composition.amount.size());
+  for (std::size_t l = 0; l < composition.whole.size(); ++l) {
+    const double w = composition.whole[l];
+    const double spread = w > 0 ? std::max(0.0, sums.kept[l] / (w * w) - 1 / amounts.total) : 0.0;
+    for (std::size_t s = 0; s < list.size(); ++s)
+      variance.push_back(n / (n - 1) * residual[s] / amounts.total * spread);
   }
   return variance;
 }
 
-/// Mean of s^2 from the variances; its deviation for independent normal layers, species - 1 of them free.
-RandomReference normal_reference(const RandomMixing& mixing, const Composition& composition, double volume) {
-  RandomReference reference;
-  double squares = 0;
-  for (std::size_t l = 0; l < composition.layer.size(); ++l) {
-    const auto first = mixing.variance.begin() + static_cast<std::ptrdiff_t>(l * mixing.species);
-    const double of_layer = std::accumulate(first, first + static_cast<std::ptrdiff_t>(mixing.species), 0.0);
-    const double weighted = composition.layer[l] / volume * of_layer;
-    reference.mean += weighted;
-    squares += 2 * weighted * weighted / static_cast<double>(mixing.species - 1);
+double total_of(const Composition& c) { return std::accumulate(c.whole.begin(), c.whole.end(), 0.0); }
+
+Composition empty_composition(std::size_t compartments, std::size_t species) {
+  return {species, std::vector<double>(compartments * species, 0.0), std::vector<double>(compartments, 0.0),
+          std::vector<double>(species, 0.0)};
+}
+
+/// The sums over species and over compartments, from the amounts.
+void add_up(Composition& c) {
+  for (std::size_t l = 0; l < c.whole.size(); ++l) {
+    for (std::size_t s = 0; s < c.species; ++s) {
+      c.whole[l] += c.amount[l * c.species + s];
+      c.mean[s] += c.amount[l * c.species + s];
+    }
   }
-  reference.deviation = std::sqrt(squares);
-  return reference;
+  const double total = total_of(c);
+  for (double& mean : c.mean) mean /= total;
 }
 
 }  // namespace
 
-Composition composition_of(const LayerPieces& pieces, const Layers& layers, std::span<const std::int32_t> label,
-                           std::size_t species) {
-  Composition c{species, std::vector<double>(layers.count * species, 0.0), std::vector<double>(layers.count, 0.0),
-                std::vector<double>(species, 0.0)};
+Composition composition_of(const Division& division, std::span<const std::int32_t> label,
+                           std::span<const double> amount, std::size_t species) {
+  Composition c = empty_composition(division.count, species);
   for (std::size_t i = 0; i < label.size(); ++i) {
     const auto s = static_cast<std::size_t>(label[i]);
-    for (std::size_t k = pieces.begin[i]; k < pieces.begin[i + 1]; ++k) {
-      c.volume[pieces.layer[k] * species + s] += pieces.volume[k];
-      c.layer[pieces.layer[k]] += pieces.volume[k];
-      c.mean[s] += pieces.volume[k];
-    }
+    division.for_pieces(i, [&](std::uint32_t l, double share) { c.amount[l * species + s] += share * amount[i]; });
   }
-  const double total = std::accumulate(c.mean.begin(), c.mean.end(), 0.0);
-  for (double& mean : c.mean) mean /= total;
+  add_up(c);
   return c;
 }
 
-std::vector<double> variance_over_layers(const Composition& c) {
-  const double total = std::accumulate(c.layer.begin(), c.layer.end(), 0.0);
+Composition layer_composition(std::span<const double> height, std::span<const double> radius, const Layers& layers,
+                              std::span<const std::int32_t> label, std::span<const double> amount,
+                              std::size_t species) {
+  Composition c = empty_composition(layers.count, species);
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    const auto s = static_cast<std::size_t>(label[i]);
+    for_layer_shares(height[i], radius[i], layers,
+                     [&](std::uint32_t l, double share) { c.amount[l * species + s] += share * amount[i]; });
+  }
+  add_up(c);
+  return c;
+}
+
+std::vector<double> variance_by_species(const Composition& c) {
+  const double total = total_of(c);
   std::vector<double> variance(c.species, 0.0);
-  for (std::size_t l = 0; l < c.layer.size(); ++l) {
-    if (c.layer[l] <= 0) continue;
+  for (std::size_t l = 0; l < c.whole.size(); ++l) {
+    if (c.whole[l] <= 0) continue;
     for (std::size_t s = 0; s < c.species; ++s) {
       const double off = c.share(l, s) - c.mean[s];
-      variance[s] += c.layer[l] / total * off * off;
+      variance[s] += c.whole[l] / total * off * off;
     }
   }
   return variance;
 }
 
-RandomMixing random_mixing(const LayerPieces& pieces, const Layers& layers, const SpeciesList& list,
-                           const Composition& composition, std::span<const double> radius) {
-  RandomMixing mixing;
-  mixing.species = list.size();
-  mixing.size_linked = list.size_linked();
-  const LayerSums sums = layer_sums(pieces, layers.count, radius);
-  mixing.variance = mixing.size_linked ? sampling_variance(sums, list, composition, radius)
-                                       : label_variance(sums, list, composition, radius);
-  mixing.total = normal_reference(mixing, composition, list.volume);
-  mixing.expected = mixing.total.mean;
-  if (mixing.size_linked) return mixing;
-  const auto total_variance = [&](std::span<const std::int32_t> label) {
-    const auto variance = variance_over_layers(composition_of(pieces, layers, label, list.size()));
-    return std::vector<double>{std::accumulate(variance.begin(), variance.end(), 0.0)};
-  };
-  mixing.total = over_random_labels(list.label, permutation_count(list.label.size()), total_variance).front();
-  return mixing;
+double mixing_entropy(const Composition& c) {
+  double bed = 0, observed = 0;
+  for (const double p : c.mean) bed -= p > 0 ? p * std::log(p) : 0.0;
+  if (!(bed > 0)) return 0;
+  for (std::size_t l = 0; l < c.whole.size(); ++l) {
+    for (std::size_t s = 0; s < c.species; ++s) {
+      const double amount = c.amount[l * c.species + s];
+      if (amount > 0 && amount < c.whole[l]) observed -= amount * std::log(amount / c.whole[l]);
+    }
+  }
+  return observed / (total_of(c) * bed);
+}
+
+std::vector<double> random_variance(const Division& division, const SpeciesList& list, const Amounts& amounts,
+                                    const Composition& composition) {
+  const PieceSums sums = piece_sums(division, amounts.of);
+  return amounts.linked ? sampling_variance(sums, list, amounts, composition)
+                        : label_variance(sums, list, amounts, composition);
+}
+
+double expected_variance(const std::vector<double>& random_variance, const Composition& c) {
+  const double total = total_of(c);
+  double mean = 0;
+  for (std::size_t l = 0; l < c.whole.size(); ++l) {
+    for (std::size_t s = 0; s < c.species; ++s) mean += c.whole[l] / total * random_variance[l * c.species + s];
+  }
+  return mean;
 }
 
 }  // namespace packstone::analysis

@@ -1,214 +1,179 @@
-// Measure "segregation": how the types are spread over the height, against random mixing.
+// Measure "segregation": how the types are spread over the bed, against random mixing.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "analysis/measures.hpp"
-#include "analysis/segregation/composition.hpp"
-#include "core/geometry.hpp"
+#include "analysis/segregation/centres.hpp"
+#include "analysis/segregation/contact_mixing.hpp"
+#include "analysis/segregation/indices.hpp"
+#include "analysis/segregation/tables.hpp"
 
 namespace packstone::analysis {
 
 namespace {
 
-constexpr double least_contrast = 1e-9;  // of s0^2: below, random and separated cannot be told apart
-
-const char* const layer_text =
-    "horizontal layers one mean diameter thick (at most 2000) from the floor to the highest sphere";
-
-struct Mixing {
-  SpeciesList list;
-  Layers layers;
-  Composition composition;
-  std::vector<double> variance;  // (species)
-  RandomMixing random;
-
-  double observed() const { return std::accumulate(variance.begin(), variance.end(), 0.0); }
-  double separated(std::size_t s) const { return composition.mean[s] * (1 - composition.mean[s]); }
-  double separated() const {
-    double sum = 0;
-    for (std::size_t s = 0; s < composition.species; ++s) sum += separated(s);
-    return sum;
-  }
-  std::string model() const {
-    return random.size_linked ? "random samples of the mixture (types differ in size, so labels cannot change places), "
-                                "layers taken as independent and normal"
-                              : "random permutations of the types among the particles";
-  }
-};
-
-/// Empty when the types can be told apart; else why not.
-std::string reason_against(const SpeciesList& list, const Layers& layers) {
-  if (list.label.empty()) return "no particles";
-  if (list.size() < 2) return "the packing has one type of particle only";
-  if (std::any_of(list.species.begin(), list.species.end(), [](const Species& s) { return !(s.volume > 0); })) {
-    return "a type has no solid volume";
-  }
-  if (layers.count < 2) return "the packing is one layer thick";
-  return "";
+/// The quantity, or no value for the reason where there is one.
+void add_theory(MeasureResult& result, Quantity quantity, const std::string& reason, double value) {
+  if (reason.empty()) quantity.value = value;
+  result.quantities.push_back(reason.empty() ? quantity : not_applicable(quantity, reason));
 }
 
-Mixing mixing_of(const Snapshot& snapshot, const Context& context, SpeciesList list, const Layers& layers) {
-  Mixing m{std::move(list), layers, {}, {}, {}};
-  const LayerPieces pieces = cut_into_layers(context.frame.height, snapshot.radius, layers, Outside::to_nearest_layer);
-  m.composition = composition_of(pieces, layers, m.list.label, m.list.size());
-  m.variance = variance_over_layers(m.composition);
-  m.random = random_mixing(pieces, layers, m.list, m.composition, snapshot.radius);
-  return m;
+void add_rsd_separated(MeasureResult& result, const MixedBed& bed) {
+  const double p = bed.missing.empty() ? bed.amounts.share(bed.scarcest) : 1;
+  add_theory(
+      result,
+      {.key = "rsd_separated",
+       .label = "relative standard deviation, separated",
+       .definition = "sqrt((1 - P) / P), P share of the type with the smallest share: the value of rsd, ring_rsd "
+                     "and cell_rsd for compartments of one type each"},
+      bed.missing, std::sqrt((1 - p) / p));
 }
 
-void add_lacey(MeasureResult& result, Quantity lacey, const Mixing& m) {
-  const double separated = m.separated(), contrast = separated - m.random.expected;
-  if (!(contrast > least_contrast * separated)) {
-    const char* const reason = "too few particles a layer: random mixing looks separated";
-    add_without_reference(result, not_applicable(lacey, reason), reason);
+/// Number of particles that spread as those of a type with their amounts, (sum v)^2 / sum v^2.
+std::vector<double> effective_counts(const MixedBed& bed) {
+  std::vector<double> squares(bed.list.size(), 0.0), counts;
+  for (std::size_t i = 0; i < bed.amounts.of.size(); ++i) {
+    squares[static_cast<std::size_t>(bed.list.label[i])] += bed.amounts.of[i] * bed.amounts.of[i];
+  }
+  for (std::size_t s = 0; s < bed.list.size(); ++s) {
+    counts.push_back(bed.amounts.by_species[s] * bed.amounts.by_species[s] / squares[s]);
+  }
+  return counts;
+}
+
+std::string reason_against_height(const MixedBed& bed) {
+  if (!bed.missing.empty()) return bed.missing;
+  if (bed.context.frame.periodic) return "the domain is periodic along up";
+  if (!(bed.context.bed.height > 0)) return "all particles lie below the floor";
+  return bed.frame.axis == bed.context.frame.axis ? bed.parts[layers_part].missing : "";
+}
+
+void add_height_difference(MeasureResult& result, const MixedBed& bed, const MixingNumbers& numbers) {
+  Quantity q{.key = "height_difference",
+             .label = "height between the types' centres",
+             .definition = "height of the highest centre of a type, weighted by " + bed.amounts.noun() +
+                           ", less that of the lowest, over bed_height; uncertainty: standard deviation of the "
+                           "difference of these two for types permuted at random among the particles"};
+  const std::string reason = reason_against_height(bed);
+  if (!reason.empty()) {
+    add_missing(result, q, reason);
+  } else {
+    const BedFrame& up = bed.context.frame;
+    const auto centres = centres_of(bed.snapshot.position, bed.list.label, bed.amounts.of, bed.list.size());
+    const auto [low, high] = std::minmax_element(centres.begin(), centres.end(), [&](const Vec3& a, const Vec3& b) {
+      return up.sign * a[up.axis] < up.sign * b[up.axis];
+    });
+    const auto lowest = static_cast<std::size_t>(low - centres.begin());
+    const auto highest = static_cast<std::size_t>(high - centres.begin());
+    const auto effective = effective_counts(bed);
+    const double spread = coordinate_variance(bed.snapshot.position, bed.amounts.of, up.axis);
+    const double height = bed.context.bed.height;
+    q.value = numbers.found[height_difference] / height;
+    q.uncertainty = std::sqrt(spread * (1 / effective[lowest] + 1 / effective[highest])) / height;
+    q.note = "higher: " + bed.list.species[highest].name + ", lower: " + bed.list.species[lowest].name;
+    add_with_band(result, q, transformed(numbers.random[height_difference], 1 / height), numbers.model);
+  }
+  const Quantity separated{.key = "height_difference_separated",
+                           .label = "height between the types' centres, separated",
+                           .definition =
+                               "1 - (P_a + P_b) / 2, P_a and P_b the smallest shares by volume of two types: "
+                               "height_difference of a uniform bed of layers of one type each, these two at "
+                               "the bottom and on top"};
+  const bool solid = reason.empty() && bed.list.volume > 0;
+  add_theory(result, separated, reason.empty() && !solid ? "the particles have no volume" : reason,
+             solid ? bed.separated_distance() : 0);
+}
+
+std::string reason_against_distance(const MixedBed& bed) {
+  if (!bed.missing.empty()) return bed.missing;
+  const auto& periodic = bed.snapshot.domain.periodic;
+  const bool closed = std::all_of(periodic.begin(), periodic.end(), [](bool p) { return p; });
+  return closed ? "the domain is periodic along every axis" : "";
+}
+
+/// Length of the longest side of a uniform box with the bed's variance of coordinates, over axes not periodic [m].
+double uniform_length(const MixedBed& bed) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (bed.snapshot.domain.periodic[static_cast<std::size_t>(axis)]) continue;
+    largest = std::max(largest, coordinate_variance(bed.snapshot.position, bed.amounts.of, axis));
+  }
+  constexpr double uniform_variance = 1.0 / 12;  // of a uniform distribution, of its length squared
+  return std::sqrt(largest / uniform_variance);
+}
+
+void add_centre_distance(MeasureResult& result, const MixedBed& bed, const MixingNumbers& numbers) {
+  Quantity q{.key = "centre_distance",
+             .label = "distance between the types' centres",
+             .unit = "m",
+             .definition = "largest distance between the centres of two types, weighted by " + bed.amounts.noun() +
+                           ", over the axes that are not periodic; uncertainty: standard deviation for random mixing"};
+  const std::string reason = reason_against_distance(bed);
+  if (!reason.empty()) {
+    add_missing(result, q, reason);
+  } else {
+    q.value = numbers.found[centre_distance];
+    q.uncertainty = numbers.random[centre_distance].deviation;
+    add_with_band(result, q, numbers.random[centre_distance], numbers.model);
+  }
+  const Quantity separated{.key = "centre_distance_separated",
+                           .label = "distance between the types' centres, separated",
+                           .unit = "m",
+                           .definition =
+                               "(1 - (P_a + P_b) / 2) sqrt(12 var), shares as for "
+                               "height_difference_separated, var the largest variance of the particles' "
+                               "coordinates along an axis that is not periodic: a uniform bed separated along "
+                               "its longest side"};
+  const bool solid = reason.empty() && bed.list.volume > 0;
+  add_theory(result, separated, reason.empty() && !solid ? "the particles have no volume" : reason,
+             solid ? bed.separated_distance() * uniform_length(bed) : 0);
+}
+
+void add_contact_mixing(MeasureResult& result, const MixedBed& bed, const MixingNumbers& numbers) {
+  const bool by_ends = bed.missing.empty() && bed.list.size_linked();
+  Quantity q{.key = "contact_mixing",
+             .label = "mixing index of the contacts",
+             .definition =
+                 "share of the contacts between particles of different types over its expectation for random mixing: "
+                 "1 random, near 0 separated, above 1 where unlike particles touch more often; expectation "
+                 "1 - sum n (n - 1) / (N (N - 1)), n of N particles of a type (join counts, Moran, J. R. Stat. Soc. B "
+                 "10 (1948) 243), or, where types differ in size, n of the N contact ends joined at random (1 - r of "
+                 "Newman, Phys. Rev. E 67 (2003) 026126); uncertainty: standard deviation for random mixing"};
+  const auto& contacts = bed.context.contacts.pairs;
+  if (!bed.missing.empty() || contacts.empty()) {
+    add_missing(result, q, bed.missing.empty() ? "no contacts between particles" : bed.missing);
     return;
   }
-  lacey.value = (separated - m.observed()) / contrast;
-  lacey.uncertainty = m.random.total.deviation / contrast;
-  add_with_reference(result, lacey, {(separated - m.random.total.mean) / contrast, *lacey.uncertainty}, m.model());
-}
-
-void add_intensity(MeasureResult& result, Quantity intensity, const Mixing& m) {
-  const double separated = m.separated();
-  intensity.value = m.observed() / separated;
-  intensity.uncertainty = m.random.total.deviation / separated;
-  add_with_reference(result, intensity, {m.random.total.mean / separated, *intensity.uncertainty}, m.model());
-}
-
-/// Where a species lies, by volume.
-struct Centre {
-  double height = 0;     // of the centre of its solid volume [m]
-  double effective = 0;  // number of particles, (sum v)^2 / sum v^2
-};
-
-std::vector<Centre> centres_of(const Snapshot& snapshot, const std::vector<double>& height, const SpeciesList& list) {
-  std::vector<Centre> centres(list.size());
-  std::vector<double> squares(list.size(), 0.0);
-  for (std::size_t i = 0; i < snapshot.size(); ++i) {
-    const auto s = static_cast<std::size_t>(list.label[i]);
-    const double v = sphere_volume(snapshot.radius[i]);
-    centres[s].height += v / list.species[s].volume * height[i];
-    squares[s] += v * v;
-  }
-  for (std::size_t s = 0; s < list.size(); ++s) {
-    centres[s].effective = list.species[s].volume * list.species[s].volume / squares[s];
-  }
-  return centres;
-}
-
-/// Variance of the particles' heights, weighted by volume, for a population of N [m2].
-double height_variance(const Snapshot& snapshot, const std::vector<double>& height, double volume) {
-  double mean = 0, variance = 0;
-  const double n = static_cast<double>(snapshot.size());
-  for (std::size_t i = 0; i < snapshot.size(); ++i) mean += sphere_volume(snapshot.radius[i]) / volume * height[i];
-  for (std::size_t i = 0; i < snapshot.size(); ++i) {
-    variance += sphere_volume(snapshot.radius[i]) / volume * (height[i] - mean) * (height[i] - mean);
-  }
-  return variance * n / (n - 1);
-}
-
-void add_height_difference(MeasureResult& result, Quantity q, const Snapshot& snapshot, const Context& context,
-                           const SpeciesList& list) {
-  if (!(context.bed.height > 0)) {
-    result.quantities.push_back(not_applicable(
-        q, context.frame.periodic ? "the domain is periodic along up" : "all particles lie below the floor"));
+  const RandomReference random = by_ends ? unlike_share_of_ends(contacts, bed.list) : numbers.random[unlike_contacts];
+  const double expected = by_ends ? random.mean : unlike_share_of_labels(bed.list);
+  if (!(expected > 0)) {
+    add_missing(result, q, "only particles of one type touch others");
     return;
   }
-  const auto centres = centres_of(snapshot, context.frame.height, list);
-  const auto [low, high] = std::minmax_element(centres.begin(), centres.end(),
-                                               [](const Centre& a, const Centre& b) { return a.height < b.height; });
-  const double spread = height_variance(snapshot, context.frame.height, list.volume);
-  q.value = (high->height - low->height) / context.bed.height;
-  q.uncertainty = std::sqrt(spread * (1 / low->effective + 1 / high->effective)) / context.bed.height;
-  q.note = "higher: " + list.species[static_cast<std::size_t>(high - centres.begin())].name +
-           ", lower: " + list.species[static_cast<std::size_t>(low - centres.begin())].name;
-  result.quantities.push_back(q);
-}
-
-Table composition_table(const Mixing& m) {
-  Table table{.key = "composition",
-              .caption = "Share of each type (" + m.list.legend() + ") of the solid in " + std::string(layer_text) +
-                         "; expected: its share of all solid; spread: standard deviation in " + m.model() +
-                         "; z: (share - expected) / spread",
-              .columns = {{"lower", "m"},
-                          {"upper", "m"},
-                          {"type", "", ColumnFormat::integer},
-                          {"share"},
-                          {"expected"},
-                          {"spread"},
-                          {"z"}}};
-  const double none = std::nan("");
-  for (std::size_t l = 0; l < m.layers.count; ++l) {
-    for (std::size_t s = 0; s < m.list.size(); ++s) {
-      const bool empty = !(m.composition.layer[l] > 0);
-      const double spread = std::sqrt(std::max(0.0, m.random.variance[l * m.list.size() + s]));
-      const double share = empty ? none : m.composition.share(l, s), expected = m.composition.mean[s];
-      table.rows.push_back({m.layers.lower(l), m.layers.upper(l), static_cast<double>(m.list.species[s].type), share,
-                            expected, empty ? none : spread, spread > 0 ? (share - expected) / spread : none});
-    }
-  }
-  return table;
-}
-
-Table species_table(const Snapshot& snapshot, const Context& context, const Mixing& m) {
-  Table table{.key = "types",
-              .caption = "Types (" + m.list.legend() +
-                         "): share of the solid, height of its centre, intensity of "
-                         "segregation s^2 / s0^2 of the type alone",
-              .columns = {{"type", "", ColumnFormat::integer},
-                          {"particles", "", ColumnFormat::integer},
-                          {"share"},
-                          {"centre_height", "m"},
-                          {"intensity"}}};
-  const auto centres = centres_of(snapshot, context.frame.height, m.list);
-  for (std::size_t s = 0; s < m.list.size(); ++s) {
-    table.rows.push_back({static_cast<double>(m.list.species[s].type), static_cast<double>(m.list.species[s].count),
-                          m.list.share(s), centres[s].height, m.variance[s] / m.separated(s)});
-  }
-  return table;
+  q.value = numbers.found[unlike_contacts] / expected;
+  q.uncertainty = random.deviation / expected;
+  q.note = bed.context.contacts.source();
+  add_with_band(result, q, transformed(random, 1 / expected),
+                by_ends ? "networks whose contact ends are joined at random (types differ in size; exact, no band)"
+                        : "random permutations of the types among the particles of the same contact network");
 }
 
 }  // namespace
 
 MeasureResult measure_segregation(const Snapshot& snapshot, const Context& context) {
-  const Quantity lacey{
-      .key = "lacey",
-      .label = "Lacey's mixing index",
-      .definition =
-          "M = (s0^2 - s^2) / (s0^2 - sr^2): 1 random, 0 separated (Lacey, J. Appl. Chem. 4 (1954) 257); s^2 "
-          "variance of the types' volume shares over " +
-          std::string(layer_text) +
-          ", weighted by solid volume and summed over the types; s0^2 = sum P (1 - P); sr^2 expectation of s^2 "
-          "for random mixing, corrected for finite number and cut particles; uncertainty: standard deviation "
-          "for random mixing"};
-  const Quantity intensity{.key = "intensity",
-                           .label = "intensity of segregation",
-                           .definition =
-                               "I = s^2 / s0^2, 1 separated (Danckwerts, Appl. Sci. Res. A 3 (1952) 279); s^2, "
-                               "s0^2 and uncertainty as for lacey"};
-  const Quantity difference{.key = "height_difference",
-                            .label = "height between the types' centres",
-                            .definition =
-                                "height of the highest centre of solid volume of a type less that of the "
-                                "lowest, over bed_height; uncertainty: standard deviation for types permuted "
-                                "at random among the particles"};
   MeasureResult result{.name = "segregation"};
-  SpeciesList list = species_of(snapshot);
-  const double wanted =
-      context.options.segregation_layer > 0 ? context.options.segregation_layer : 2 * context.mean_radius;
-  const Layers layers = layers_over_bed(context.frame, snapshot.radius, wanted);
-  if (const std::string reason = reason_against(list, layers); !reason.empty()) {
-    for (const Quantity& q : {lacey, intensity}) add_without_reference(result, not_applicable(q, reason), reason);
-    result.quantities.push_back(not_applicable(difference, reason));
-    return result;
-  }
-  const Mixing mixing = mixing_of(snapshot, context, std::move(list), layers);
-  add_lacey(result, lacey, mixing);
-  add_intensity(result, intensity, mixing);
-  add_height_difference(result, difference, snapshot, context, mixing.list);
-  result.tables.push_back(composition_table(mixing));
-  result.tables.push_back(species_table(snapshot, context, mixing));
+  const MixedBed bed = mixed_bed(snapshot, context);
+  const MixingNumbers numbers = bed.missing.empty() ? mixing_numbers(bed) : MixingNumbers{};
+  for (const Part part : {layers_part, rings_part, cells_part}) add_part_indices(result, bed, numbers, part);
+  add_rsd_separated(result, bed);
+  add_height_difference(result, bed, numbers);
+  add_centre_distance(result, bed, numbers);
+  add_contact_mixing(result, bed, numbers);
+  if (!bed.missing.empty()) return result;
+  if (bed.parts[layers_part].missing.empty()) result.tables.push_back(layer_table(bed));
+  if (bed.parts[rings_part].missing.empty()) result.tables.push_back(ring_table(bed));
+  result.tables.push_back(type_table(bed));
+  if (!bed.scales.empty()) result.tables.push_back(scale_table(bed, numbers));
   return result;
 }
 

@@ -4,8 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "analysis/segregation/composition.hpp"
+#include "analysis/segregation/arrangement.hpp"
 #include "tests/analysis/fixtures.hpp"
+#include "tests/analysis/moments.hpp"
 
 using namespace packstone;
 using namespace packstone::analysis;
@@ -13,34 +14,29 @@ using namespace packstone::fixtures;
 
 namespace {
 
+/// The layers of a bed, and what random mixing makes of them.
 struct Sample {
-  double observed;  // s^2 over the types
-  RandomMixing random;
+  double observed;               // s^2 over the types
+  double expected;               // of s^2
+  bool linked;                   // sizes to types
+  std::vector<double> variance;  // (layers * types) of a share
   Composition composition;
 };
 
 Sample sample_of(const Snapshot& s, double thickness) {
-  const BedFrame frame = bed_frame(s);
-  const SpeciesList list = species_of(s);
-  const Layers layers = layers_over_bed(frame, s.radius, thickness);
-  const auto pieces = cut_into_layers(frame.height, s.radius, layers, Outside::to_nearest_layer);
-  const auto composition = composition_of(pieces, layers, list.label, list.size());
-  const auto variance = variance_over_layers(composition);
-  return {std::accumulate(variance.begin(), variance.end(), 0.0),
-          random_mixing(pieces, layers, list, composition, s.radius), composition};
+  const Context context = make_context(s, {.segregation_layer = thickness});
+  const MixedBed bed = mixed_bed(s, context);
+  const DividedBed& layers = bed.parts[layers_part];
+  const auto by_species = variance_by_species(layers.composition);
+  const auto variances = random_variance(layers.division, bed.list, bed.amounts, layers.composition);
+  return {std::accumulate(by_species.begin(), by_species.end(), 0.0), expected_variance(variances, layers.composition),
+          bed.amounts.linked, variances, layers.composition};
 }
 
-struct Moments {
-  double mean, error, deviation;
-};
-
-Moments moments(const std::vector<double>& values) {
-  const double n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0;
-  for (double v : values) squares += (v - mean) * (v - mean);
-  const double deviation = std::sqrt(squares / (n - 1));
-  return {mean, deviation / std::sqrt(n), deviation};
+/// Of s^2 over random arrangements.
+RandomReference random_arrangements(const Snapshot& s, double thickness) {
+  const Context context = make_context(s, {.segregation_layer = thickness});
+  return mixing_numbers(mixed_bed(s, context)).random[index_of(layers_part, variance)];
 }
 
 constexpr double sigmas = 4;
@@ -59,12 +55,13 @@ TEST_CASE("random labels: the mean of s^2 is the formula's, cut particles and al
     label_at_random(s, seed);
     observed.push_back(sample_of(s, thickness).observed);
   }
-  const RandomMixing random = sample_of(s, thickness).random;
-  REQUIRE_FALSE(random.size_linked);
+  const Sample random = sample_of(s, thickness);
+  REQUIRE_FALSE(random.linked);
   const Moments m = moments(observed);
   CHECK(std::abs(m.mean - random.expected) < sigmas * m.error);
-  CHECK(random.total.mean == Approx(m.mean).epsilon(0.1));
-  CHECK(random.total.deviation == Approx(m.deviation).epsilon(0.25));
+  const RandomReference arranged = random_arrangements(s, thickness);
+  CHECK(arranged.mean == Approx(m.mean).epsilon(0.1));
+  CHECK(arranged.deviation == Approx(m.deviation).epsilon(0.25));
 }
 
 TEST_CASE("random labels: every layer spreads as the formula says") {
@@ -74,7 +71,7 @@ TEST_CASE("random labels: every layer spreads as the formula says") {
     label_at_random(s, seed);
     const Sample sample = sample_of(s, 2.7);
     const double off = sample.composition.share(1, 0) - sample.composition.mean[0];
-    squares.push_back(off * off / sample.random.variance[2]);
+    squares.push_back(off * off / sample.variance[2]);
   }
   const Moments m = moments(squares);
   CHECK(std::abs(m.mean - 1) < sigmas * m.error);
@@ -108,10 +105,10 @@ TEST_CASE("sizes linked to types: the sampling variance holds for random positio
       add_particle(s, p, i < 300 ? 1.0 : 0.5, i < 300 ? 1 : 0);
     }
     const Sample sample = sample_of(s, 4);
-    REQUIRE(sample.random.size_linked);
-    ratio.push_back(sample.observed / sample.random.expected);
+    REQUIRE(sample.linked);
+    ratio.push_back(sample.observed / sample.expected);
     observed.push_back(sample.observed);
-    predicted_deviation = sample.random.total.deviation;
+    if (seed == 0) predicted_deviation = random_arrangements(s, 4).deviation;
   }
   spread = moments(observed);
   CHECK(moments(ratio).mean == Approx(1).epsilon(0.1));  // first order
@@ -126,9 +123,9 @@ TEST_CASE("both variances agree for equal spheres") {
   Snapshot linked = s;
   for (std::size_t i = 0; i < s.size(); ++i) linked.radius[i] *= s.type[i] == 1 ? 1.0 : 1.1;
   const Sample other = sample_of(linked, 2.7);
-  REQUIRE_FALSE(equal.random.size_linked);
-  REQUIRE(other.random.size_linked);
-  CHECK(other.random.expected == Approx(equal.random.expected).epsilon(0.1));
+  REQUIRE_FALSE(equal.linked);
+  REQUIRE(other.linked);
+  CHECK(other.expected == Approx(equal.expected).epsilon(0.1));
 }
 
 TEST_CASE("permutations keep the counts and depend on their number alone") {

@@ -74,6 +74,22 @@ TEST_CASE("JSON of a series tells the instants apart") {
   CHECK(json[1]["packing"]["bed_height"]["value"] == 0.1);
 }
 
+TEST_CASE("text tells a reason that many numbers share once") {
+  MeasureResult result{.name = "segregation"};
+  const auto missing = [](const std::string& label, const std::string& reason) {
+    return not_applicable({.key = label, .label = label}, reason);
+  };
+  result.quantities = {missing("a", "one type"),
+                       missing("b", "one type"),
+                       missing("c", "one type"),
+                       missing("d", "no mass"),
+                       {.key = "e", .label = "e", .value = 1}};
+  const std::string text = to_text({result});
+  CHECK_THAT(text, Contains("a  n/a  (one type)\n  ... 2 more numbers do not exist for this reason\n  d"));
+  CHECK_THAT(text, !Contains("b  "));
+  CHECK_THAT(text, Contains("e  1"));
+}
+
 TEST_CASE("CSV quotes what needs quotes") {
   const Folder folder;
   write_csv(folder.path, made_up());
