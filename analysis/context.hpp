@@ -12,6 +12,11 @@ namespace packstone::analysis {
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
+  double rdf_range = 0;          ///< of the radial distribution function [m]; 0: five mean diameters
+  double rdf_bin = 0;            ///< width of its bins [m]; 0: a twentieth of the mean diameter
+  double bond_cutoff = 1.3;      ///< bonds of the bond order: centres nearer than so many times the sum of the radii
+  int bond_neighbours = 0;       ///< bonds with so many nearest neighbours instead; 0: by bond_cutoff
+  int pore_points = 200'000;     ///< random points for the pore sizes
 };
 
 struct Context {

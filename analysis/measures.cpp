@@ -25,7 +25,8 @@ void check_selection(const std::vector<std::string>& selection) {
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, vertical profile", measure_packing},
-      {"structure", "coordination numbers, rattlers", measure_structure},
+      {"structure", "coordination numbers, rattlers, fabric, radial distribution, bond order", measure_structure},
+      {"pores", "sizes of the pores between the particles", measure_pores, true},
       {"segregation", "how well the types are mixed along the height, against random mixing", measure_segregation},
       {"clusters", "clusters of touching like particles, against random labels", measure_clusters},
       {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
