@@ -16,7 +16,7 @@ struct Options {
   double rdf_bin = 0;            ///< width of its bins [m]; 0: a twentieth of the mean diameter
   double bond_cutoff = 1.3;      ///< bonds of the bond order: centres nearer than so many times the sum of the radii
   int bond_neighbours = 0;       ///< bonds with so many nearest neighbours instead; 0: by bond_cutoff
-  int pore_points = 200'000;     ///< random points for the pore sizes
+  int pore_points = 100'000;     ///< random points for the pore sizes
 };
 
 struct Context {

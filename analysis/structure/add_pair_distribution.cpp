@@ -52,10 +52,12 @@ void add_rows(Table& table, const PairDistribution& distribution, const PairCurv
 
 std::string caption(const char* which, const PairDistribution& distribution) {
   return fmt::format(
-      "Radial distribution function {}: density of other centres at distance r over that of the window, with the "
-      "translation correction for pairs across its sides (Ohser, Math. Operationsforsch. Stat. 14 (1983) 63); {} "
-      "particles in the window, pairs counted around {} of them; error: standard error as if pairs were independent, "
-      "none where no pair was found",
+      "Radial distribution function {}: pairs of centres at distance r over what independent uniform positions would "
+      "give in the window, with the density of those places from which r can be seen (Stoyan, Stoyan, Scand. J. Stat. "
+      "27 "
+      "(2000) 641); {} particles in the window, pairs counted around {} of them; error: standard error as if pairs "
+      "were "
+      "independent, none where no pair was found",
       which, distribution.particles, distribution.references);
 }
 

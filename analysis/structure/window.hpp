@@ -17,16 +17,6 @@ struct Window {
   Vec3 size() const { return max - min; }
   double volume() const { return size().prod(); }
   bool contains(const Vec3& p) const { return (p.array() >= min.array() && p.array() <= max.array()).all(); }
-
-  /// Volume that the window shares with itself moved by d [m3]; d leads to a nearest image.
-  double shared_when_moved(const Vec3& d) const {
-    double shared = 1;
-    for (int k = 0; k < 3; ++k) {
-      const double side = max[k] - min[k];
-      shared *= periodic[k] ? side : std::max(0.0, side - std::abs(d[k]));
-    }
-    return shared;
-  }
 };
 
 /// A window, or why there is none.

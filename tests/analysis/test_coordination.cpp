@@ -35,7 +35,8 @@ TEST_CASE("contacts by types of a layered and of a chequered lattice") {
   Snapshot s = lattice(simple_cubic, 4, 4, 4, 2.0, 1 + 5e-7);
   SECTION("a column of another type") {
     label(s, [](int x, int y, int) { return x == 0 && y == 0 ? 1 : 0; });
-    const auto& rows = measured(s, "structure").table("coordination_by_types")->rows;
+    const auto result = measured(s, "structure");
+    const auto& rows = result.table("coordination_by_types")->rows;
     REQUIRE(rows.size() == 4);
     // 60 of type 0, of which 16 touch the column once; 4 of type 1 with two neighbours of their own.
     CHECK(rows[0][2] == 60);
@@ -49,7 +50,8 @@ TEST_CASE("contacts by types of a layered and of a chequered lattice") {
   }
   SECTION("chequered") {
     label(s, [](int x, int y, int z) { return (x + y + z) % 2; });
-    const auto& rows = measured(s, "structure").table("coordination_by_types")->rows;
+    const auto result = measured(s, "structure");
+    const auto& rows = result.table("coordination_by_types")->rows;
     REQUIRE(rows.size() == 4);
     CHECK(rows[0][3] == 0);
     CHECK(rows[1][3] == 6);
@@ -130,7 +132,7 @@ TEST_CASE("the anisotropy of random contacts scatters as its uncertainty says") 
   // so the anisotropy 3/2 a.
   const double a = GENERATE(0.0, 0.8);
   Random random(7, RandomStream::filling_position, 0);
-  const int repeats = 60, contacts = 400;
+  const int repeats = 40, contacts = 200;
   double sum = 0, squares = 0, reported = 0, expected_random = 0;
   for (int r = 0; r < repeats; ++r) {
     std::vector<Vec3> directions;
@@ -147,11 +149,11 @@ TEST_CASE("the anisotropy of random contacts scatters as its uncertainty says") 
   }
   const double scatter = std::sqrt(squares - sum * sum);
   if (a == 0) {
-    CHECK(std::sqrt(squares) == Approx(expected_random).epsilon(0.15));  // 60 x 5 normal numbers: 6 % at 1 sigma
+    CHECK(std::sqrt(squares) == Approx(expected_random).epsilon(0.2));  // 40 x 5 normal numbers: 5 % at 1 sigma
   } else {
     // The four other components of the deviator add their random part in quadrature.
     CHECK(sum ==
           Approx(1.5 * a).margin(4 * scatter / std::sqrt(repeats) + expected_random * expected_random / (3 * a)));
-    CHECK(reported == Approx(scatter).epsilon(0.3));  // 9 % at 1 sigma
+    CHECK(reported == Approx(scatter).epsilon(0.4));  // 11 % at 1 sigma
   }
 }
