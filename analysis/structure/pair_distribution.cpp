@@ -18,8 +18,8 @@ constexpr double pair_budget = 1.5e7;            // pairs counted at most, about
 constexpr std::size_t fewest_references = 1000;
 constexpr std::size_t blocks = 32;                              // of references, summed each by one thread
 constexpr double cells_a_range = 4;                             // cells of the search along the range
-constexpr double direction_budget = 4e6;                        // random directions for the shares of shells, about
-constexpr double fewest_directions = 4, most_directions = 256;  // from each particle
+constexpr double direction_budget = 1e6;                        // random directions for the shares of shells, about
+constexpr double fewest_directions = 1, most_directions = 256;  // from each particle
 
 struct Sample {
   std::vector<std::uint32_t> rows;        // in the window
@@ -143,6 +143,17 @@ std::vector<Group> groups_of(const Snapshot& snapshot, const Window& window, con
   return groups;
 }
 
+/// The groups as one.
+Group together(const std::vector<Group>& groups) {
+  Group all{0, Shares(groups.front().share.size(), 0.0)};
+  for (const Group& group : groups) {
+    all.count += group.count;
+    for (std::size_t k = 0; k < all.share.size(); ++k) all.share[k] += group.count * group.share[k];
+  }
+  for (double& share : all.share) share /= std::max(1.0, all.count);
+  return all;
+}
+
 double shell_volume(std::size_t k, double bin) {
   const double inner = static_cast<double>(k), cells = 3 * inner * inner + 3 * inner + 1;
   return 4.0 / 3.0 * std::numbers::pi * bin * bin * bin * cells;
@@ -198,12 +209,12 @@ PairDistribution pair_distribution(const Snapshot& snapshot, const Window& windo
     return curve;
   };
   PairDistribution result{.bin = bin, .bins = bins, .particles = sample.rows.size(), .references = references};
-  const auto grouped = [&](const std::vector<std::uint32_t>& rows, std::size_t how_many) {
-    return groups_of(snapshot, window, rows, label, how_many, bin, bins);
+  const auto grouped = [&](const std::vector<std::uint32_t>& rows) {
+    return groups_of(snapshot, window, rows, label, kinds, bin, bins);
   };
-  result.total = curve_from(all_pairs.data(), grouped(sample.references, 1), grouped(sample.rows, 1), 0, 0);
-  if (labels == 0) return result;
-  const auto centres = grouped(sample.references, labels), others = grouped(sample.rows, labels);
+  const std::vector<Group> others = grouped(sample.rows);
+  const std::vector<Group> centres = references == sample.rows.size() ? others : grouped(sample.references);
+  result.total = curve_from(all_pairs.data(), {together(centres)}, {together(others)}, 0, 0);
   for (std::size_t a = 0; a < labels; ++a) {
     for (std::size_t b = a; b < labels; ++b) {
       const std::size_t* const count = pairs.data() + curve_of(a, b, labels) * bins;
