@@ -10,6 +10,10 @@ namespace packstone::analysis {
 
 namespace {
 
+constexpr double most_bond_cutoff = 3;
+constexpr int most_bond_neighbours = 100;
+constexpr int fewest_pore_points = 2;
+
 void check_rows(const Snapshot& s) {
   if (s.radius.size() != s.size() || s.id.size() != s.size() || s.type.size() != s.size()) {
     throw InputError("the snapshot has " + std::to_string(s.size()) + " positions, but " +
@@ -49,6 +53,26 @@ void check_contacts(const Contacts& c) {
   for (std::size_t k = 0; k < rows; ++k) {
     if (c.force[k].allFinite() && c.normal[k].allFinite() && std::isfinite(c.overlap[k])) continue;
     throw InputError("contact " + std::to_string(k) + ": its force, normal or overlap is not a number");
+  }
+}
+
+void check_structure_options(const Options& options) {
+  for (double length : {options.rdf_range, options.rdf_bin}) {
+    if (length >= 0 && std::isfinite(length)) continue;
+    throw InputError("a radial distribution function over " + std::to_string(length) +
+                     " m; range and bin must be above 0 (0: the default)");
+  }
+  if (!(options.bond_cutoff >= 1 && options.bond_cutoff <= most_bond_cutoff)) {
+    throw InputError("bonds as far as " + std::to_string(options.bond_cutoff) +
+                     " sums of radii; the cut-off must be from 1 to " + std::to_string(most_bond_cutoff));
+  }
+  if (options.bond_neighbours < 0 || options.bond_neighbours > most_bond_neighbours) {
+    throw InputError("bonds with " + std::to_string(options.bond_neighbours) + " neighbours; there must be 1 to " +
+                     std::to_string(most_bond_neighbours) + " (0: by the cut-off)");
+  }
+  if (options.pore_points < fewest_pore_points) {
+    throw InputError("pore sizes from " + std::to_string(options.pore_points) + " points; there must be " +
+                     std::to_string(fewest_pore_points) + " or more");
   }
 }
 
@@ -93,6 +117,7 @@ void check_force_options(const ForceOptions& options) {
   check("the kernel's width", options.kernel_width, not_negative(options.kernel_width), "above 0 (0: the default)");
   check("the communities' resolution", options.resolution, options.resolution > 0 && std::isfinite(options.resolution),
         "above 0");
+  check_structure_options(options);
 }
 
 }  // namespace

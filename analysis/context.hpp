@@ -50,6 +50,11 @@ struct Options {
   int segregation_rings = 0;    ///< rings of the segregation index; 0: by the size of the bed
   ShareBy segregation_by = ShareBy::volume;
   AlongAxis segregation_axis = AlongAxis::up;  ///< of the layers and of the rings
+  double rdf_range = 0;                        ///< of the radial distribution function [m]; 0: five mean diameters
+  double rdf_bin = 0;                          ///< width of its bins [m]; 0: a twentieth of the mean diameter
+  double bond_cutoff = 1.3;   ///< bonds of the bond order: centres nearer than so many times the sum of the radii
+  int bond_neighbours = 0;    ///< bonds with so many nearest neighbours instead; 0: by bond_cutoff
+  int pore_points = 100'000;  ///< random points for the pore sizes
 };
 
 struct Context {

@@ -27,7 +27,8 @@ void check_selection(const std::vector<std::string>& selection) {
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, of its interior and of regions, profiles", measure_packing},
-      {"structure", "coordination numbers, rattlers", measure_structure},
+      {"structure", "coordination, radial distribution, bond order, fabric", measure_structure},
+      {"pores", "sizes of the pores", measure_pores, true},
       {"segregation", "how well the types are mixed: by layers, rings, cells and contacts, against random mixing",
        measure_segregation},
       {"clusters", "clusters of like particles that touch, are near or press hard, against random labels",

@@ -185,6 +185,19 @@ void add_analyze(CLI::App& app) {
                    "Axis of the layers and rings of segregation: up, x, y or z [up]")
       ->transform(CLI::CheckedTransformer(std::map<std::string, AlongAxis>{
           {"up", AlongAxis::up}, {"x", AlongAxis::x}, {"y", AlongAxis::y}, {"z", AlongAxis::z}}));
+  verb->add_option("--rdf-range", options->measure.rdf_range,
+                   "Range of the radial distribution function [m] [five mean diameters]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--rdf-bin", options->measure.rdf_bin, "Width of its bins [m] [a twentieth of the mean diameter]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--bond-cutoff", options->measure.bond_cutoff,
+                   "Bond order: neighbours have centres nearer than so many sums of radii")
+      ->capture_default_str();
+  verb->add_option("--bond-neighbours", options->measure.bond_neighbours,
+                   "Bond order: so many nearest neighbours instead [by cut-off]")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--pore-points", options->measure.pore_points, "Random points for the pore sizes")
+      ->capture_default_str();
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

@@ -15,6 +15,9 @@ enum class RandomStream : std::uint32_t {
   particle_radius = 2,
   label_permutation = 3,
   filling_order = 4,
+  reference_sample = 5,
+  pore_point = 6,
+  shell_direction = 7,
 };
 
 /// A sequence of draws for one item (a particle, a trial) of one stream.
