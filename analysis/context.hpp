@@ -12,6 +12,7 @@ namespace packstone::analysis {
 struct Options {
   double profile_layer = 0;      ///< thickness of the layers of the vertical profile [m]; 0: one mean radius
   double segregation_layer = 0;  ///< thickness of the layers of the segregation index [m]; 0: one mean diameter
+  bool voronoi_cells = false;    ///< measure voronoi also lists every cell
 };
 
 struct Context {

@@ -30,6 +30,7 @@ const std::vector<Measure>& all_measures() {
       {"clusters", "clusters of touching like particles, against random labels", measure_clusters},
       {"forces", "normal forces, sliding contacts, overlaps", measure_forces},
       {"time", "how near the packing is to rest", measure_time},
+      {"voronoi", "local solid fraction by radical Voronoi cells", measure_voronoi, true},
   };
   return measures;
 }

@@ -111,6 +111,8 @@ void add_analyze(CLI::App& app) {
   verb->add_option("--segregation-layer", options->measure.segregation_layer,
                    "Thickness of the layers of composition and segregation [m] [one mean diameter]")
       ->check(CLI::PositiveNumber);
+  verb->add_flag("--voronoi-cells", options->measure.voronoi_cells,
+                 "Measure voronoi also lists the cell of every particle");
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });
