@@ -14,7 +14,7 @@ constexpr double most_facets = 4096;
 
 /// Keeps the part where normal . x <= offset.
 bool cut_by_plane(voro::voronoicell& cell, const Vec3& at, const Vec3& normal, double offset) {
-  return cell.nplane(normal.x(), normal.y(), normal.z(), 2 * (offset - normal.dot(at)));
+  return cell.plane(normal.x(), normal.y(), normal.z(), 2 * (offset - normal.dot(at)));
 }
 
 }  // namespace

@@ -216,7 +216,7 @@ RadicalCells radical_cells(std::span<const Vec3> centre, std::span<const double>
   Space space(rows, at, radius, box, frame.unit);
   space.for_each_cell(walls, [&](std::size_t row, voro::voronoicell& cell, const Vec3& place) {
     cells.volume[row] = cell.volume() * unit_volume;
-    cells.faces[row] = static_cast<std::uint16_t>(cell.number_of_faces());
+    cells.faces[row] = static_cast<std::uint16_t>(2 + cell.number_of_edges() - cell.p);  // Euler
     cells.state[row] = state_of(cell, frame.origin + place * frame.unit, frame.unit, surface);
   });
   return cells;

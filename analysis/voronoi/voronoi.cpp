@@ -222,8 +222,7 @@ RadicalCells no_cells(std::size_t particles) {
 std::string reason_against(const Snapshot& snapshot, const CellContainer* container, const Tally& tally,
                            const WholeCells& whole) {
   if (snapshot.size() == 0) return "no particles";
-  if (container == nullptr) return "the boundaries leave nothing of the domain";
-  if (tally.cells == 0) return "all particles lie outside the container";
+  if (container == nullptr || tally.cells == 0) return "the container holds no particle";
   return whole.size() == 0 ? "every cell is at the surface" : "";
 }
 
