@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <numbers>
 #include <numeric>
@@ -16,13 +15,14 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double particles_per_block = 5;       // of space; the speed hardly depends on it from 3 to 8
-constexpr int particles_at_first = 8;           // a block has memory for
-constexpr double most_tests_each = 4000;        // partners in its own block, mean over the particles
-constexpr double coincidence = 1e-6;            // of the mean distance between particles
-constexpr double largest_radius_slack = 1e-12;  // against round-off in voro++'s search
-constexpr int blocks_at_once = 8;               // that a thread takes
-constexpr double inside_side = 1e-13;           // of a box side; voro++ drops particles on the upper side
+constexpr double particles_per_block = 5;         // of space; the speed hardly depends on it from 3 to 8
+constexpr int particles_at_first = 8;             // a block has memory for
+constexpr double most_tests_each = 4000;          // partners in its own block, mean over the particles
+constexpr double coincidence = 1e-6;              // of the mean distance between particles
+constexpr double largest_radius_slack = 1e-12;    // against round-off in voro++'s search
+constexpr std::size_t most_particles = 1u << 28;  // voro++ counts blocks, times 8 where periodic, in 32 bits
+constexpr int blocks_at_once = 8;                 // that a thread takes
+constexpr double inside_side = 1e-13;             // of a box side; voro++ drops particles on the upper side
 
 /// Takes away all but one of the particles at each place, which voro++ cannot tell apart: the largest stays, of equal
 /// ones the first. Particles at one place are near each other along any direction; a slanted one has few others there.
@@ -95,7 +95,7 @@ void check_spread(const voro::container_poly& space, const Blocks& blocks, std::
 class Search {
  public:
   /// The container's search keeps the radius of the particle at work in the container itself. So every thread has a
-  /// bitwise copy, which shares the particles, and is never destroyed since it owns nothing.
+  /// copy of its members, which shares the particles, and is never destroyed since it owns nothing.
   Search(const voro::container_poly& space, const Blocks& blocks)
       : view_(*new (memory_) voro::container_poly(space)),
         compute_(view_, masked(space.xperiodic, blocks[0]), masked(space.yperiodic, blocks[1]),
@@ -187,8 +187,8 @@ class Space {
 RadicalCells radical_cells(std::span<const Vec3> centre, std::span<const double> radius, const CellContainer& container,
                            const BedSurface& surface) {
   const std::size_t n = centre.size();
-  if (n > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw InputError("voronoi: " + std::to_string(n) + " particles; at most 2^31 - 1 can have cells");
+  if (n > most_particles) {
+    throw InputError("voronoi: " + std::to_string(n) + " particles; at most 2^28 can have cells");
   }
   RadicalCells cells{.volume = std::vector<double>(n, 0.0),
                      .faces = std::vector<std::uint16_t>(n, 0),

@@ -33,8 +33,9 @@ struct RadicalCells {
 ///
 /// centre, radius: (N) [m], N > 0, centres inside the container's box along periodic axes. In parallel over blocks of
 /// space; every cell is the same for any number of threads.
-/// Throws InputError for more than 2^31 - 1 particles, and where most of them crowd in a tiny part of the container,
-/// which would take hours. Source: Rycroft, Chaos 19 (2009) 041111 (voro++); Gellatly & Finney, J. Non-Cryst. Solids 50
+/// Throws InputError for more than 2^28 particles, and where most of them crowd in a tiny part of the container,
+/// which would take hours.
+/// Source: Rycroft, Chaos 19 (2009) 041111 (voro++); Gellatly & Finney, J. Non-Cryst. Solids 50
 /// (1982) 313 (radical planes).
 RadicalCells radical_cells(std::span<const Vec3> centre, std::span<const double> radius, const CellContainer& container,
                            const BedSurface& surface);
