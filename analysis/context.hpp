@@ -52,9 +52,10 @@ struct Options {
   AlongAxis segregation_axis = AlongAxis::up;  ///< of the layers and of the rings
   double rdf_range = 0;                        ///< of the radial distribution function [m]; 0: five mean diameters
   double rdf_bin = 0;                          ///< width of its bins [m]; 0: a twentieth of the mean diameter
-  double bond_cutoff = 1.3;   ///< bonds of the bond order: centres nearer than so many times the sum of the radii
-  int bond_neighbours = 0;    ///< bonds with so many nearest neighbours instead; 0: by bond_cutoff
-  int pore_points = 100'000;  ///< random points for the pore sizes
+  double bond_cutoff = 1.3;    ///< bonds of the bond order: centres nearer than so many times the sum of the radii
+  int bond_neighbours = 0;     ///< bonds with so many nearest neighbours instead; 0: by bond_cutoff
+  int pore_points = 100'000;   ///< random points for the pore sizes
+  bool voronoi_cells = false;  ///< measure voronoi also lists every cell
 };
 
 struct Context {

@@ -27,6 +27,7 @@ void check_selection(const std::vector<std::string>& selection) {
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, of its interior and of regions, profiles", measure_packing},
+      {"voronoi", "local solid fraction by radical Voronoi cells", measure_voronoi, true},
       {"structure", "coordination, radial distribution, bond order, fabric", measure_structure},
       {"pores", "sizes of the pores", measure_pores, true},
       {"segregation", "how well the types are mixed: by layers, rings, cells and contacts, against random mixing",

@@ -18,6 +18,7 @@ MeasureResult measure_clusters(const Snapshot& snapshot, const Context& context)
 MeasureResult measure_forces(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_communities(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_time(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_voronoi(const Snapshot& snapshot, const Context& context);
 
 struct Measure {
   std::string name;

@@ -198,6 +198,8 @@ void add_analyze(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--pore-points", options->measure.pore_points, "Random points for the pore sizes")
       ->capture_default_str();
+  verb->add_flag("--voronoi-cells", options->measure.voronoi_cells,
+                 "Measure voronoi also lists the cell of every particle");
   verb->add_flag("--list", options->list, "List the measures");
   verb->add_flag("--quiet", options->quiet, "No text and no progress");
   verb->callback([options] { analyze(*options); });

@@ -16,4 +16,5 @@ install(EXPORT packstone-targets NAMESPACE packstone:: DESTINATION ${package_dir
 configure_package_config_file(cmake/packstone-config.cmake.in packstone-config.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(packstone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/packstone-config.cmake ${CMAKE_BINARY_DIR}/packstone-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindVoro.cmake
         DESTINATION ${package_dir})

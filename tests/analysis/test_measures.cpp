@@ -16,6 +16,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
+/// Those on request too.
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const auto& measure : analysis::all_measures()) names.push_back(measure.name);
