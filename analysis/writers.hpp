@@ -17,6 +17,7 @@ struct TimedResults {
   double time = 0;  ///< [s]
   std::int64_t step = 0;
   std::vector<MeasureResult> results;
+  std::vector<std::string> notes{};  ///< what the snapshot's reader had to assume
 };
 
 /// The value with its uncertainty: "0.6363 ± 0.0012" (two digits of the uncertainty), "12.346" without one,

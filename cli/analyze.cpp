@@ -45,7 +45,8 @@ std::vector<analysis::TimedResults> measured(const RunReader& run, const Analyze
   std::vector<analysis::TimedResults> series;
   for (const std::size_t index : selected) {
     const Snapshot snapshot = run.snapshot(index);
-    series.push_back({snapshot.time, snapshot.step, analysis::analyze(snapshot, options.only, options.measure)});
+    series.push_back(
+        {snapshot.time, snapshot.step, analysis::analyze(snapshot, options.only, options.measure), snapshot.notes});
     progress.update(static_cast<std::int64_t>(series.size()), static_cast<std::int64_t>(selected.size()));
   }
   return series;
@@ -59,7 +60,9 @@ void analyze_one(const AnalyzeOptions& options) {
   if (!options.csv.empty() && whole_series) analysis::write_csv(options.csv, series);
   if (!options.csv.empty() && !whole_series) analysis::write_csv(options.csv, series.front().results);
   if (options.quiet || options.json == "-") return;
-  fmt::print("{}  t = {:g} s\n\n{}", run.path().string(), series.back().time, analysis::to_text(series.back().results));
+  fmt::print("{}  t = {:g} s\n", run.path().string(), series.back().time);
+  for (const std::string& note : series.back().notes) fmt::print("note: {}\n", note);
+  fmt::print("\n{}", analysis::to_text(series.back().results));
 }
 
 void analyze_several(const AnalyzeOptions& options) {
@@ -85,7 +88,7 @@ void analyze(const AnalyzeOptions& options) {
       fmt::print("{:<14}{}{}\n", measure.name, measure.description, measure.on_request ? " (takes long: name it)" : "");
     }
   } else if (options.paths.empty()) {
-    throw InputError("analyze: name a run folder or a snapshot");
+    throw InputError("analyze: name a run folder or a file");
   } else if (options.paths.size() == 1) {
     analyze_one(options);
   } else {
@@ -98,7 +101,8 @@ void analyze(const AnalyzeOptions& options) {
 void add_analyze(CLI::App& app) {
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
-  verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
+  verb->add_option("paths", options->paths,
+                   "Run folder, snapshot, or a file of another program; several are compared in a table");
   verb->add_option("--only", options->only, "Measures to take, by comma; see --list [all but those that take long]")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -101,9 +101,11 @@ std::string number_note(const ContactNetwork& contacts, const SpeciesList& list)
 }
 
 /// Empty when the number exists.
-std::string reason_against(Number number, const std::vector<double>& numbers, const ContactNetwork& contacts) {
+std::string reason_against(Number number, const std::vector<double>& numbers, const Snapshot& snapshot,
+                           const ContactNetwork& contacts) {
   if (number == like_share && contacts.pairs.empty()) return "no contacts between particles";
-  if (number == mean_size_by_mass && !(numbers[mean_size_by_mass] > 0)) return "the particles have no mass";
+  const bool weighed = snapshot.has_masses() && numbers[mean_size_by_mass] > 0;
+  if (number == mean_size_by_mass && !weighed) return "the particles have no mass: a density or a radius is not known";
   return "";
 }
 
@@ -129,7 +131,7 @@ MeasureResult measure_clusters(const Snapshot& snapshot, const Context& context)
   for (std::size_t k = 0; k < number_count; ++k) {
     Quantity& q = quantities[k];
     q.note = number_note(context.contacts, list);
-    const std::string missing = reason_against(static_cast<Number>(k), numbers, context.contacts);
+    const std::string missing = reason_against(static_cast<Number>(k), numbers, snapshot, context.contacts);
     if (!missing.empty()) {
       add_without_reference(result, not_applicable(q, missing), missing);
       continue;

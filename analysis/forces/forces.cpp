@@ -20,7 +20,7 @@ ForceSum summed(const Contacts& contacts) {
     const double normal = contacts.force[k].dot(contacts.normal[k]);
     sum.mean += normal / n;
     sum.largest = std::max(sum.largest, normal);
-    sum.sliding_share += contacts.sliding[k] / n;
+    if (!contacts.sliding.empty()) sum.sliding_share += contacts.sliding[k] / n;
   }
   return sum;
 }
@@ -72,7 +72,11 @@ MeasureResult measure_forces(const Snapshot& snapshot, const Context& context) {
     const ForceSum sum = summed(*snapshot.contacts);
     mean.value = sum.mean;
     largest.value = sum.largest;
-    sliding.value = sum.sliding_share;
+    if (snapshot.contacts->sliding.empty()) {
+      sliding = not_applicable(sliding, "the file does not say which contacts slide");
+    } else {
+      sliding.value = sum.sliding_share;
+    }
   } else {
     const std::string reason = snapshot.contacts ? "no contacts" : "the snapshot holds no contact forces";
     for (Quantity* q : {&mean, &largest, &sliding}) *q = not_applicable(*q, reason);
