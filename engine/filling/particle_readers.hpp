@@ -23,8 +23,8 @@ struct FileParticle {
 };
 
 /// The particles of a CSV table or a LAMMPS data file; a LAMMPS type t is group t-1, ids decide the order. Velocities
-/// that are left out are 0. Throws InputError "SOURCE:LINE: column: what; what would be right" where a type has no group
-/// in the scene or a density is not that of the group's material.
+/// that are left out are 0. Throws InputError "SOURCE:LINE: column: what; what would be right" where a type has no
+/// group in the scene or a density is not that of the group's material.
 std::vector<FileParticle> table_particles(const formats::ParticleColumns& table, const Scene& scene);
 
 /// A packstone snapshot: radii at its instant, velocities where it has them, type as group; no contacts.
