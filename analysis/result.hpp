@@ -52,6 +52,7 @@ struct TimedResults {
   double time = 0;  ///< [s]
   std::int64_t step = 0;
   std::vector<MeasureResult> results;
+  std::vector<std::string> notes{};  ///< what the snapshot's reader had to assume
 };
 
 /// The quantity without value, and the reason.

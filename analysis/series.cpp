@@ -54,7 +54,7 @@ std::vector<TimedResults> analyze_series(const RunReader& run, std::span<const s
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     try {
       const Snapshot snapshot = read_alone(run, indices[k]);
-      series[k] = {snapshot.time, snapshot.step, {}};
+      series[k] = {snapshot.time, snapshot.step, {}, snapshot.notes};
       if (measures_wanted) series[k].results = analyze(snapshot, only, options.measure);
     } catch (...) {
       failures[k] = std::current_exception();

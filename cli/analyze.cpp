@@ -71,7 +71,9 @@ void analyze_one(const AnalyzeOptions& options) {
                                  options.measure);
   }
   if (options.quiet || options.json == "-") return;
-  fmt::print("{}  t = {:g} s\n\n{}", run.path().string(), series.back().time, analysis::to_text(series.back().results));
+  fmt::print("{}  t = {:g} s\n", run.path().string(), series.back().time);
+  for (const std::string& note : series.back().notes) fmt::print("note: {}\n", note);
+  fmt::print("\n{}", analysis::to_text(series.back().results));
 }
 
 void analyze_several(const AnalyzeOptions& options) {
@@ -100,7 +102,7 @@ void analyze(AnalyzeOptions& options) {
     }
     fmt::print("{:<14}{}\n", analysis::course_name, analysis::course_description);
   } else if (options.paths.empty()) {
-    throw InputError("analyze: name a run folder or a snapshot");
+    throw InputError("analyze: name a run folder or a file");
   } else if (options.paths.size() == 1) {
     analyze_one(options);
   } else {
@@ -132,7 +134,8 @@ void add_analyze(CLI::App& app) {
   using analysis::AlongAxis, analysis::ShareBy;
   auto options = std::make_shared<AnalyzeOptions>();
   CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
-  verb->add_option("paths", options->paths, "Run folder or snapshot; several are compared in a table");
+  verb->add_option("paths", options->paths,
+                   "Run folder, snapshot, or a file of another program; several are compared in a table");
   verb->add_option("--only", options->only, "Measures to take, by comma; see --list [all but those that take long]")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -65,6 +65,7 @@ ordered_json describe_run(const RunReader& run) {
                         {"domain_min", {s.domain.min[0], s.domain.min[1], s.domain.min[2]}},
                         {"domain_max", {s.domain.max[0], s.domain.max[1], s.domain.max[2]}},
                         {"periodic", s.domain.periodic}};
+  if (!s.notes.empty()) j["last_snapshot"]["notes"] = s.notes;
   return j;
 }
 
@@ -85,7 +86,7 @@ void info(const InfoOptions& options) {
     fmt::print("{}", options.scene_reference == "markdown" ? scene_reference_markdown() : scene_reference_text());
     return;
   }
-  if (options.path.empty()) throw InputError("info: name a run folder or a snapshot");
+  if (options.path.empty()) throw InputError("info: name a run folder or a file");
   const ordered_json description = describe_run(RunReader(options.path));
   if (options.json) {
     fmt::print("{}\n", description.dump(2));
@@ -99,7 +100,7 @@ void info(const InfoOptions& options) {
 void add_info(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* verb = app.add_subcommand("info", "Tell what a run folder or a snapshot holds");
-  verb->add_option("path", options->path, "Run folder or snapshot");
+  verb->add_option("path", options->path, "Run folder, snapshot, or a file of another program");
   verb->add_flag("--json", options->json, "As JSON");
   verb->add_option("--scene-reference", options->scene_reference, "Print the reference of the scene's keys instead")
       ->check(CLI::IsMember({"text", "markdown"}));

@@ -21,6 +21,7 @@ void add_verbs(CLI::App& app) {
   add_check(app);
   add_info(app);
   add_analyze(app);
+  add_convert(app);
   for (const PictureVerb& verb : picture_verbs) app.add_subcommand(verb.name, verb.description);  // for --help
 }
 

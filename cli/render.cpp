@@ -112,7 +112,7 @@ void render(const RenderOptions& options) {
 void add_render(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* verb = app.add_subcommand(render_verb.name, render_verb.description);
-  verb->add_option("path", options->path, "Run folder or snapshot")->required();
+  verb->add_option("path", options->path, "Run folder, snapshot, or a file of another program")->required();
   verb->add_option("-o,--output", options->output, "x.png, x.mp4, x.gif, or a folder for frames")->required();
   verb->add_option("--camera", options->camera, "iso, front, back, left, right, top or bottom")->capture_default_str();
   verb->add_option("--at", options->at, "Of a picture: last, first, a number, or t=SECONDS")->capture_default_str();

@@ -208,6 +208,32 @@ viz::Report report_of_one(const RunReader& run, PictureFolder& folder) {
   return report;
 }
 
+viz::ReportSection pictures_of_packing(const RunReader& run, PictureFolder& folder) {
+  viz::ReportSection section{"Pictures", {}, {}, {}, ""};
+  section.images = {space_picture(run, "last", viz::View::iso, "The packing.", folder),
+                    space_picture(run, "last", viz::View::top, "The surface from above.", folder),
+                    space_picture(run, "last", viz::View::bottom, "The bottom from below.", folder),
+                    slice_picture(run, folder)};
+  return section;
+}
+
+/// Of files, snapshots alone and converted runs: first and last instant, without findings and charts over time.
+viz::Report report_of_packing(const RunReader& run, PictureFolder& folder) {
+  const Snapshot first = run.snapshot(run.index_at("first")), last = run.snapshot(run.index_at("last"));
+  ReportedMeasures m;
+  m.filled_time = first.time;
+  m.filled = analysis::analyze(first);
+  m.end_time = last.time;
+  m.end = analysis::analyze(last);
+  viz::Report report{run.path().filename().string(), fmt::format("{} particles", last.size()), {}};
+  viz::ReportSection origin{"The packing", last.notes, {}, {}, ""};
+  origin.paragraphs.insert(origin.paragraphs.begin(),
+                           fmt::format("{} of {} instants are shown: the first and the last.",
+                                       std::min<std::size_t>(2, run.snapshot_count()), run.snapshot_count()));
+  report.sections = {origin, pictures_of_packing(run, folder), measures(m), tables(m)};
+  return report;
+}
+
 viz::Report report_of_several(const std::vector<RunReader>& runs, PictureFolder& folder) {
   viz::Report report{"Comparison of " + fmt::format("{} runs", runs.size()), "", {}};
   std::vector<std::string> labels;
@@ -230,18 +256,26 @@ viz::Report report_of_several(const std::vector<RunReader>& runs, PictureFolder&
   return report;
 }
 
+/// Files have none, and neither have runs that convert made of them.
+bool has_history(const RunReader& run) { return run.is_folder() && fs::exists(run.path() / "history.csv"); }
+
 void report(const ReportOptions& options) {
   std::vector<RunReader> runs;
   for (const auto& path : options.paths) {
     runs.emplace_back(path);
-    if (!runs.back().is_folder()) throw InputError(path.string() + ": a report needs the run folder");
     runs.back().index_at("last");
+    if (!has_history(runs.back()) && options.paths.size() > 1) {
+      throw InputError(path.string() +
+                       ": has no history to compare over time; report it alone, or compare numbers with analyze");
+    }
   }
   if (options.output.extension() != ".html")
     throw InputError(options.output.string() + ": a report is written as .html");
   PictureFolder folder;
-  viz::write_report(options.output,
-                    runs.size() == 1 ? report_of_one(runs.front(), folder) : report_of_several(runs, folder));
+  const auto one = [&] {
+    return has_history(runs.front()) ? report_of_one(runs.front(), folder) : report_of_packing(runs.front(), folder);
+  };
+  viz::write_report(options.output, runs.size() == 1 ? one() : report_of_several(runs, folder));
 }
 
 }  // namespace
@@ -249,7 +283,7 @@ void report(const ReportOptions& options) {
 void add_report(CLI::App& app) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* verb = app.add_subcommand(report_verb.name, report_verb.description);
-  verb->add_option("paths", options->paths, "Run folders")->required();
+  verb->add_option("paths", options->paths, "Run folders, or a file of a packing")->required();
   verb->add_option("-o,--output", options->output, "x.html")->required();
   verb->callback([options] { report(*options); });
 }

@@ -9,6 +9,7 @@ void add_run(CLI::App& app);
 void add_check(CLI::App& app);
 void add_info(CLI::App& app);
 void add_analyze(CLI::App& app);
+void add_convert(CLI::App& app);
 void add_render(CLI::App& app);
 void add_slice(CLI::App& app);
 void add_plot(CLI::App& app);

@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
-#include "core/hdf5.hpp"
 #include "core/units.hpp"
 
 namespace packstone {
@@ -26,8 +25,24 @@ constexpr const char* series_name = "snapshots.vtkhdf.series";
 
 bool is_run_folder(const fs::path& path) { return fs::is_regular_file(path / "run.json"); }
 
-double snapshot_time(const fs::path& file) {
-  return hdf5::Reader(file).dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
+/// The snapshots of a run folder, in order.
+std::vector<fs::path> snapshots_in(const fs::path& path) {
+  std::vector<fs::path> files;
+  if (!is_run_folder(path)) {
+    throw InputError(
+        path.string() +
+        ": not a run folder (it has no run.json); of another program's files name one, or all by a pattern "
+        "such as 'post/dump_*'");
+  }
+  if (fs::is_directory(path / "snapshots")) {
+    for (const auto& entry : fs::directory_iterator(path / "snapshots")) {
+      const auto name = entry.path().filename().string();
+      if (name.starts_with("snapshot_") && entry.path().extension() == snapshot_extension)
+        files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 /// Folder of a run to be: empty, absent, or an earlier run that may be replaced.
@@ -56,28 +71,20 @@ void prepare_folder(const fs::path& path, bool overwrite) {
 
 const char* to_string(RunStatus status) { return status_names[static_cast<int>(status)]; }
 
-RunReader::RunReader(const fs::path& path) : path_(path) {
-  if (!fs::exists(path)) throw InputError(path.string() + ": no such run folder or snapshot");
-  is_folder_ = fs::is_directory(path);
-  if (!is_folder_) {
-    files_ = {path};
-  } else {
-    if (!is_run_folder(path)) throw InputError(path.string() + ": not a run folder (it has no run.json)");
-    if (fs::is_directory(path / "snapshots")) {
-      for (const auto& entry : fs::directory_iterator(path / "snapshots")) {
-        const auto name = entry.path().filename().string();
-        if (name.starts_with("snapshot_") && entry.path().extension() == snapshot_extension) {
-          files_.push_back(entry.path());
-        }
-      }
-    }
-    std::sort(files_.begin(), files_.end());
+RunReader::RunReader(const fs::path& path, const PackingOptions& options)
+    : RunReader(std::vector<fs::path>{path}, options) {}
+
+RunReader::RunReader(const std::vector<fs::path>& paths, const PackingOptions& options)
+    : path_(paths.front()), is_folder_(paths.size() == 1 && fs::is_directory(path_)) {
+  series_ = std::make_shared<const PackingSeries>(is_folder_ ? snapshots_in(path_) : paths, options);
+  for (std::size_t k = 0; k < series_->size(); ++k) {
+    files_.push_back(series_->file(k));
+    times_.push_back(series_->time(k));
   }
-  for (const auto& file : files_) times_.push_back(snapshot_time(file));
 }
 
 Snapshot RunReader::snapshot(std::size_t index, const ReadOptions& options) const {
-  return read_snapshot(files_.at(index), options);
+  return series_->snapshot(index, options);
 }
 
 std::size_t RunReader::index_at(const std::string& where) const {
@@ -137,11 +144,11 @@ RunRecord RunReader::record() const {
 }
 
 std::string RunReader::scene_text() const {
-  return is_folder_ ? read_text_file(path_ / "scene.toml") : read_snapshot(path_).scene_text;
+  return is_folder_ ? read_text_file(path_ / "scene.toml") : snapshot(index_at("first")).scene_text;
 }
 
 History RunReader::history() const {
-  if (!is_folder_) throw InputError(path_.string() + ": a single snapshot has no history; name the run folder");
+  if (!is_folder_) throw InputError(path_.string() + ": a file has no history; name the run folder");
   return read_history(path_ / "history.csv");
 }
 

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/formats/packing_series.hpp"
 #include "core/history.hpp"
 #include "core/snapshot.hpp"
 
@@ -38,22 +40,24 @@ struct RunRecord {
   std::int64_t particles = 0;
 };
 
-/// Reading side: a run folder, or a single snapshot file seen as a run of one.
+/// Reading side: a run folder, or files of packings of any program (PackingSeries) seen as a run.
 class RunReader {
  public:
-  /// Throws InputError when path is neither a run folder nor a snapshot.
-  explicit RunReader(const std::filesystem::path& path);
+  /// Throws InputError when path is neither a run folder nor a file, or files, that hold packings.
+  explicit RunReader(const std::filesystem::path& path, const PackingOptions& options = {});
+  /// Several paths are the files of one series.
+  RunReader(const std::vector<std::filesystem::path>& paths, const PackingOptions& options);
 
   const std::filesystem::path& path() const { return path_; }
   bool is_folder() const { return is_folder_; }
   std::size_t snapshot_count() const { return files_.size(); }
   const std::vector<std::filesystem::path>& snapshot_files() const { return files_; }
-  /// Time of every snapshot [s], ascending.
+  /// Time of every snapshot [s], ascending; 0 where another program's file does not say it.
   const std::vector<double>& times() const { return times_; }
   Snapshot snapshot(std::size_t index, const ReadOptions& options = {}) const;
   /// Index from "last", "first", a number (negative counts from the end) or "t=SECONDS" (nearest).
   std::size_t index_at(const std::string& where) const;
-  /// Empty for a single snapshot.
+  /// Empty for files.
   RunRecord record() const;
   std::string scene_text() const;
   History history() const;
@@ -61,6 +65,7 @@ class RunReader {
  private:
   std::filesystem::path path_;
   bool is_folder_ = false;
+  std::shared_ptr<const PackingSeries> series_;  // shared: readers are copied
   std::vector<std::filesystem::path> files_;
   std::vector<double> times_;
 };

@@ -122,7 +122,7 @@ void write_contacts(hdf5::Writer& file, const Contacts& c) {
   file.dataset("/contacts/normal", flat(c.normal), 3);
   file.dataset("/contacts/overlap", c.overlap);
   file.dataset("/contacts/point", flat(c.point), 3);
-  file.dataset("/contacts/slid", c.sliding);
+  if (!c.sliding.empty() || c.size() == 0) file.dataset("/contacts/slid", c.sliding);
   for (const auto& [name, unit] : {std::pair{"force", "N"}, {"overlap", "m"}, {"point", "m"}}) {
     file.text_attribute(std::string("/contacts/") + name, "unit", unit);
   }
@@ -186,6 +186,7 @@ void write_header(hdf5::Writer& file, const Snapshot& s, const std::vector<std::
   file.group("/packstone");
   file.dataset("/packstone/format_version", std::vector<std::int64_t>{format_version});
   file.text("/packstone/program", s.program);
+  if (!s.notes.empty()) file.texts("/packstone/notes", s.notes);
   std::vector<std::uint8_t> periodic(s.domain.periodic.begin(), s.domain.periodic.end());
   file.dataset("/packstone/domain", flat({s.domain.min, s.domain.max}), 3);
   file.dataset("/packstone/periodic", periodic);
@@ -218,7 +219,7 @@ Contacts read_contacts(const hdf5::Reader& file) {
   c.normal = vectors(file.dataset<double>("/contacts/normal", 3, 0, c.size()));
   c.overlap = file.dataset<double>("/contacts/overlap", 1, 0, c.size());
   c.point = vectors(file.dataset<double>("/contacts/point", 3, 0, c.size()));
-  c.sliding = file.dataset<std::uint8_t>("/contacts/slid", 1, 0, c.size());
+  if (file.has("/contacts/slid")) c.sliding = file.dataset<std::uint8_t>("/contacts/slid", 1, 0, c.size());
   return c;
 }
 
@@ -296,6 +297,7 @@ void read_context(const hdf5::Reader& file, Snapshot& s) {
     s.groups.push_back({group_names[k], group_materials[k], densities[k]});
   }
   s.program = file.text("/packstone/program");
+  if (file.has("/packstone/notes")) s.notes = file.texts("/packstone/notes");
   const auto corners = vectors(file.dataset<double>("/packstone/domain", 3, 0, 2));
   s.domain.min = corners[0];
   s.domain.max = corners[1];
@@ -320,23 +322,6 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
     field.unit = file.text_attribute(set, "unit");
     append(field.values, file.dataset<double>(set, field.components, first, rows));
   }
-}
-
-/// Keeps the rows whose sphere touches the region.
-Snapshot restricted(const Snapshot& s, const Region& region) {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const Vec3 nearest = s.position[i].cwiseMax(region.min).cwiseMin(region.max);
-    if ((nearest - s.position[i]).squaredNorm() <= s.radius[i] * s.radius[i]) kept.push_back(i);
-  }
-  Snapshot result = s;
-  result.position = reordered(s.position, kept);
-  result.radius = reordered(s.radius, kept);
-  result.id = reordered(s.id, kept);
-  result.type = reordered(s.type, kept);
-  result.material = reordered(s.material, kept);
-  for (auto& [name, field] : result.fields) field = reordered(s.fields.at(name), kept);
-  return result;
 }
 
 void read_region(const hdf5::Reader& file, Snapshot& s, std::size_t total, const Region& region) {
@@ -381,10 +366,34 @@ void Contacts::append(const Contacts& more) {
 
 double Snapshot::mass(std::size_t row) const { return groups[type[row]].density * sphere_volume(radius[row]); }
 
+bool Snapshot::has_masses() const {
+  return std::all_of(type.begin(), type.end(), [&](std::int32_t t) { return groups[t].density > 0; });
+}
+
 std::map<std::int64_t, std::size_t> Snapshot::rows_by_id() const {
   std::map<std::int64_t, std::size_t> rows;
   for (std::size_t i = 0; i < size(); ++i) rows.emplace(id[i], i);
   return rows;
+}
+
+Snapshot with_rows(const Snapshot& snapshot, const std::vector<std::size_t>& rows) {
+  Snapshot result = snapshot;
+  result.position = reordered(snapshot.position, rows);
+  result.radius = reordered(snapshot.radius, rows);
+  result.id = reordered(snapshot.id, rows);
+  result.type = reordered(snapshot.type, rows);
+  result.material = reordered(snapshot.material, rows);
+  for (auto& [name, field] : result.fields) field = reordered(snapshot.fields.at(name), rows);
+  return result;
+}
+
+Snapshot restricted(const Snapshot& snapshot, const Region& region) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+    const Vec3 nearest = snapshot.position[i].cwiseMax(region.min).cwiseMin(region.max);
+    if ((nearest - snapshot.position[i]).squaredNorm() <= snapshot.radius[i] * snapshot.radius[i]) kept.push_back(i);
+  }
+  return with_rows(snapshot, kept);
 }
 
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot) {

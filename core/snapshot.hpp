@@ -30,7 +30,7 @@ struct Contacts {
   std::vector<Vec3> normal;           ///< unit vector from second to first
   std::vector<double> overlap;        ///< [m]
   std::vector<Vec3> point;            ///< contact point [m]
-  std::vector<std::uint8_t> sliding;  ///< 1 where friction is at its Coulomb limit
+  std::vector<std::uint8_t> sliding;  ///< 1 where friction is at its Coulomb limit; empty: not known
 
   std::size_t size() const { return first.size(); }
   void append(const Contacts& more);
@@ -54,8 +54,15 @@ struct BoundaryRecord {
 struct GroupRecord {
   std::string name;
   std::string material;
-  double density = 0;  ///< [kg/m3]
+  double density = 0;  ///< [kg/m3]; 0: not known
 };
+
+/// Notes on what another program's file does not say (Snapshot::notes).
+inline constexpr const char* note_no_box =
+    "the file has no box: the domain is the box around its spheres, not periodic";
+inline constexpr const char* note_no_density = "the file has no densities and no masses";
+inline constexpr const char* note_no_periodicity =
+    "a LAMMPS data file does not say which sides are periodic: none is taken to be";
 
 /// Everything one snapshot file holds. Rows of all particle arrays agree.
 struct Snapshot {
@@ -80,11 +87,16 @@ struct Snapshot {
   std::string scene_hash;  ///< 16 hex digits
   std::string program;     ///< "packstone 0.1.0 (git abc1234)"
 
+  std::vector<std::string> notes{};  ///< what the reader of another program's file had to assume, a sentence each
+
   std::size_t size() const { return position.size(); }
 
   /// Mass of the particle in a row from its radius at this instant and its group's density [kg]. While radii grow the
   /// engine moves the mass of the full size instead.
   double mass(std::size_t row) const;
+
+  /// Whether the density of every particle is known.
+  bool has_masses() const;
 
   /// Row of every id that occurs.
   std::map<std::int64_t, std::size_t> rows_by_id() const;
@@ -101,6 +113,12 @@ struct ReadOptions {
   std::optional<Region> region;  ///< only chunks whose spheres can touch it, then only such spheres
   bool contacts = true;
 };
+
+/// The snapshot with these rows of it, in that order; contacts and all else stay as they are.
+Snapshot with_rows(const Snapshot& snapshot, const std::vector<std::size_t>& rows);
+
+/// The rows whose sphere touches the region, contacts and all else as they are.
+Snapshot restricted(const Snapshot& snapshot, const Region& region);
 
 /// Writes under a temporary name and renames: the file is whole or absent.
 /// Rows are written along a space-filling curve, in chunks with bounding boxes.

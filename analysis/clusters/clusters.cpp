@@ -180,7 +180,8 @@ std::string number_note(const Network& network, const ContactNetwork& contacts) 
 /// Empty when the number exists.
 std::string reason_against(Number number, const std::vector<double>& numbers, const Network& network) {
   if (number == like_share && network.links.links.empty()) return "no contacts between particles";
-  if (number == mean_size_by_mass && !(numbers[mean_size_by_mass] > 0)) return "the particles have no mass";
+  const bool weighed = network.snapshot.has_masses() && numbers[mean_size_by_mass] > 0;
+  if (number == mean_size_by_mass && !weighed) return "the particles have no mass: a density or a radius is not known";
   return "";
 }
 

@@ -28,11 +28,11 @@ std::vector<Column> field_columns() {
 
 /// What the snapshot has of the fields.
 struct Known {
-  bool velocity, forces;
+  bool mass, velocity, forces;
 };
 
 void append_fields(std::vector<double>& row, const CoarseCell& cell, const Known& known) {
-  row.push_back(cell.density);
+  row.push_back(known.mass ? cell.density : no_value);
   for (int k = 0; k < 3; ++k) {
     row.push_back(known.velocity && cell.density > 0 ? cell.momentum[k] / cell.density : no_value);
   }
@@ -67,7 +67,7 @@ Table profile_table(const Snapshot& snapshot, const Context& context, const Forc
   const BedFrame& frame = context.frame;
   const Layers layers = coarse_layers(frame, snapshot.radius, kernel, width, profile_thickness(context));
   const auto cells = coarse_profile(snapshot, frame, network, kernel, layers);
-  const Known known{!velocities(snapshot).empty(), network.missing.empty()};
+  const Known known{snapshot.has_masses(), !velocities(snapshot).empty(), network.missing.empty()};
   for (std::size_t k = 0; k < layers.count; ++k) {
     std::vector<double> row{layers.lower(k), layers.upper(k)};
     append_fields(row, cells[k], known);

@@ -140,8 +140,12 @@ void add_force_distribution(MeasureResult& result, const Snapshot& snapshot, con
     q.largest.value = *std::max_element(loads.normal.begin(), loads.normal.end());
     q.tangential.value = mean_of(loads.tangential);
     const auto& slid = snapshot.contacts->sliding;
-    q.sliding.value =
-        static_cast<double>(std::count(slid.begin(), slid.end(), 1)) / static_cast<double>(network.size());
+    if (slid.empty()) {
+      q.sliding = not_applicable(q.sliding, "the file does not say which contacts slide");
+    } else {
+      q.sliding.value =
+          static_cast<double>(std::count(slid.begin(), slid.end(), 1)) / static_cast<double>(network.size());
+    }
     set_tail(q.tail, loads.normal, *q.mean.value);
     set_friction(q.ratio, q.mobilised, loads, snapshot, network);
   }

@@ -99,7 +99,7 @@ std::vector<LayerStress> layer_stress(const Snapshot& snapshot, const BedFrame& 
 
 std::span<const double> velocities(const Snapshot& snapshot) {
   const auto found = snapshot.fields.find("velocity");
-  if (found == snapshot.fields.end() || found->second.components != 3) return {};
+  if (found == snapshot.fields.end() || found->second.components != 3 || !snapshot.has_masses()) return {};
   const auto& v = found->second.values;
   if (!std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); })) return {};
   return v;

@@ -75,7 +75,8 @@ void set_bulk(BulkQuantities& q, const LayerStress& stress, const BedFrame& fram
     q.asymmetry.value = (total - total.transpose()).norm() / total.norm();
   }
   if (moves) return;
-  for (Quantity* each : q.of_forces()) each->note = "without the kinetic part: the snapshot holds no velocity";
+  for (Quantity* each : q.of_forces())
+    each->note = "without the kinetic part: the snapshot holds no velocities or no masses";
 }
 
 const std::vector<Column> tensor_columns = {{"xx", "Pa"}, {"yy", "Pa"}, {"zz", "Pa"},
@@ -188,7 +189,8 @@ void add_stress(MeasureResult& result, const Snapshot& snapshot, const Context& 
   std::vector<LayerStress> bulk;
   if (layer.count > 0 && snapshot.size() > 0) bulk = layer_stress(snapshot, context.frame, network, layer);
   if (bulk.empty() || !moves) {
-    q.kinetic = not_applicable(q.kinetic, bulk.empty() ? "there is no bulk" : "the snapshot holds no velocity");
+    q.kinetic =
+        not_applicable(q.kinetic, bulk.empty() ? "there is no bulk" : "the snapshot holds no velocities or no masses");
   } else {
     q.kinetic.value = pressure(bulk[0].kinetic);
   }

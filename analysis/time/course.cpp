@@ -79,7 +79,7 @@ void Course::add(const Snapshot& snapshot) {
   summarise(snapshot.time);
   record_trajectories(snapshot.time);
   weight_ = 0;
-  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+  for (std::size_t i = 0; i < snapshot.size() && snapshot.has_masses(); ++i) {
     weight_ += snapshot.mass(i) * snapshot.gravity.norm() * 2 * snapshot.radius[i];
   }
 }

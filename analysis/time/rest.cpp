@@ -71,11 +71,13 @@ MeasureResult measure_time(const Snapshot& snapshot, const Context& context) {
     const Motion motion = motion_of(snapshot, snapshot.fields.at("velocity").values);
     mean.value = motion.mean_speed;
     largest.value = motion.max_speed;
-    if (motion.weight > 0) {
+    if (motion.weight > 0 && snapshot.has_masses()) {
       ratio.value = motion.kinetic / motion.weight;
       rest.value = *ratio.value < rest_threshold ? 1 : 0;
     } else {
-      const std::string why = snapshot.gravity.isZero(0) ? "no gravity to compare with" : "the particles have no mass";
+      const std::string why = snapshot.gravity.isZero(0)
+                                  ? "no gravity to compare with"
+                                  : "the particles have no mass: a density or a radius is not known";
       for (Quantity* q : {&ratio, &rest}) *q = not_applicable(*q, why);
     }
   }
@@ -85,7 +87,8 @@ MeasureResult measure_time(const Snapshot& snapshot, const Context& context) {
     contacts = not_applicable(contacts, "no particles");
   }
   MeasureResult result{.name = "time", .quantities = {ratio, rest, mean, largest, contacts}};
-  add_layer_motion(result, snapshot, context, reason);
+  add_layer_motion(result, snapshot, context,
+                   reason.empty() && !snapshot.has_masses() ? "a density is not known, so masses are not" : reason);
   return result;
 }
 

@@ -7,8 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/formats/csv_table.hpp"
+#include "core/formats/lammps_data.hpp"
 #include "core/hash.hpp"
-#include "core/text_lines.hpp"
 #include "engine/filling/particle_readers.hpp"
 
 namespace packstone::engine {
@@ -17,26 +18,17 @@ namespace {
 
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 constexpr const char* snapshot_extension = ".vtkhdf";
-constexpr int most_lammps_header_lines = 20;
 constexpr const char* axis_columns[] = {"x", "y", "z"};
 constexpr const char* sides[] = {"lower", "upper"};
-
-/// A LAMMPS data file counts its atoms near the top: "4 atoms".
-bool is_lammps_data(std::string_view text) {
-  TextLines lines(text, "");
-  for (int k = 0; k < most_lammps_header_lines && lines.next(); ++k) {
-    const auto parts = words(lines.line());
-    if (parts.size() == 2 && parts[1] == "atoms" && parsed_integer(parts[0])) return true;
-  }
-  return false;
-}
 
 std::vector<FileParticle> read_particles(const Scene& scene, const std::string& text) {
   const std::string& path = *scene.filling.path;
   if (text.starts_with(hdf5_signature) || std::filesystem::path(path).extension() == snapshot_extension) {
     return read_snapshot_particles(path);
   }
-  return is_lammps_data(text) ? read_lammps_particles(text, path, scene) : read_csv_particles(text, path);
+  return table_particles(
+      formats::is_lammps_data(text) ? formats::read_lammps_data(text, path) : formats::read_csv_table(text, path),
+      scene);
 }
 
 /// Holds each particle against the scene.

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/formats/particle_columns.hpp"
 #include "core/scene.hpp"
 #include "core/vec3.hpp"
 
@@ -22,14 +22,10 @@ struct FileParticle {
   std::int64_t group = 0;                ///< [[particles]] entry
 };
 
-/// A table with a header line out of x, y, z, radius, group, vx, vy, vz, wx, wy, wz in any order; ids are the rows.
-/// Throws InputError "SOURCE:LINE: column: what; what would be right".
-std::vector<FileParticle> read_csv_particles(std::string_view text, const std::string& source_name);
-
-/// A LAMMPS data file of atom_style sphere in units si, atom type t as group t-1. Its box, image flags and coefficients
-/// are not used. Throws InputError as above; also where a density is not that of the group's material.
-std::vector<FileParticle> read_lammps_particles(std::string_view text, const std::string& source_name,
-                                                const Scene& scene);
+/// The particles of a CSV table or a LAMMPS data file; a LAMMPS type t is group t-1, ids decide the order. Velocities
+/// that are left out are 0. Throws InputError "SOURCE:LINE: column: what; what would be right" where a type has no
+/// group in the scene or a density is not that of the group's material.
+std::vector<FileParticle> table_particles(const formats::ParticleColumns& table, const Scene& scene);
 
 /// A packstone snapshot: radii at its instant, velocities where it has them, type as group; no contacts.
 /// Throws InputError that names the file.

@@ -1,0 +1,59 @@
+#include "core/formats/text_output.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+
+namespace packstone::formats {
+
+TextOutput::TextOutput(const std::filesystem::path& path, bool append)
+    : path_(path),
+      append_(append),
+      file_(append ? path : temporary_name(path), std::ios::binary | (append ? std::ios::app : std::ios::trunc)) {
+  if (!file_) throw RunError(path.string() + ": cannot be written: " + std::strerror(errno));
+}
+
+void TextOutput::flush() {
+  file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  buffer_.clear();
+}
+
+void TextOutput::raw(const void* bytes, std::size_t count) {
+  flush();
+  file_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+}
+
+void TextOutput::finish() {
+  flush();
+  file_.close();
+  if (!file_) {
+    std::error_code ignored;
+    if (!append_) std::filesystem::remove(temporary_name(path_), ignored);
+    throw RunError(path_.string() + ": cannot be written; is the disk full?");
+  }
+  if (!append_) commit_file(path_);
+}
+
+std::vector<OutputColumn> vector_columns(const Snapshot& snapshot, const std::array<const char*, 3>& velocity,
+                                         const std::array<const char*, 3>& angular_velocity) {
+  std::vector<OutputColumn> columns;
+  const auto add = [&](const char* field, const std::array<const char*, 3>& names) {
+    const auto found = snapshot.fields.find(field);
+    if (found == snapshot.fields.end() || found->second.components != 3) return;
+    for (std::size_t k = 0; k < 3; ++k) columns.push_back({names[k], found->second.values.data() + k, 3});
+  };
+  add("velocity", velocity);
+  add("angular_velocity", angular_velocity);
+  add("force", {"fx", "fy", "fz"});
+  return columns;
+}
+
+double mass_of(const Snapshot& snapshot, std::size_t row) {
+  const auto found = snapshot.fields.find("mass");
+  const bool own = found != snapshot.fields.end() && found->second.components == 1;
+  return own ? found->second.values[row] : snapshot.mass(row);
+}
+
+}  // namespace packstone::formats

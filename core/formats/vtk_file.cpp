@@ -1,0 +1,159 @@
+#include "core/formats/vtk_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkGenericDataObjectReader.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include "core/error.hpp"
+#include "core/formats/mapped_file.hpp"
+
+namespace packstone::formats {
+
+namespace {
+
+constexpr std::size_t head_bytes = 1000;  ///< in which an XML file says what it holds
+
+struct KnownVector {
+  std::array<const char*, 4> names;
+  std::array<const char*, 3> columns;
+};
+
+constexpr std::array known_vectors = {
+    KnownVector{{"velocity", "linVelVec", "linVel", "v"}, {"vx", "vy", "vz"}},
+    KnownVector{{"angular_velocity", "angVelVec", "angVel", "omega"}, {"wx", "wy", "wz"}},
+    KnownVector{{"force", "forceVec", "forces", "f"}, {"fx", "fy", "fz"}}};
+
+/// Keeps VTK from writing to the terminal: what is wrong is said here.
+class QuietVtk {
+ public:
+  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::SetGlobalWarningDisplay(0); }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+ private:
+  int before_;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkPointSet> read_with(const std::filesystem::path& path) {
+  const QuietVtk quiet;
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (reader->GetErrorCode() != 0 || !points) {
+    throw InputError(path.string() + ": VTK cannot read it, or it holds no points; is the file cut short?");
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPointSet> read_points(const std::filesystem::path& path) {
+  const MappedFile file(path);
+  const std::string_view head = file.text().substr(0, head_bytes);
+  if (head.starts_with("# vtk")) return read_with<vtkGenericDataObjectReader>(path);
+  if (head.find("\"UnstructuredGrid\"") != std::string_view::npos) return read_with<vtkXMLUnstructuredGridReader>(path);
+  if (head.find("\"PolyData\"") != std::string_view::npos) return read_with<vtkXMLPolyDataReader>(path);
+  throw InputError(path.string() + ": is XML, but neither VTK's UnstructuredGrid (.vtu) nor its PolyData (.vtp)");
+}
+
+std::vector<double> component(vtkDataArray& array, int k) {
+  std::vector<double> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = array.GetComponent(static_cast<vtkIdType>(i), k);
+  return values;
+}
+
+void add_array(ParticleColumns& columns, vtkDataArray& array, const std::string& name) {
+  const int parts = array.GetNumberOfComponents();
+  if (parts == 1) add_column(columns, name, component(array, 0));
+  if (parts != 3) return;
+  for (const KnownVector& known : known_vectors) {
+    if (std::find(known.names.begin(), known.names.end(), name) == known.names.end()) continue;
+    for (int k = 0; k < 3; ++k) add_column(columns, known.columns[static_cast<std::size_t>(k)], component(array, k));
+  }
+}
+
+/// Time and box, which packstone's own files have.
+void read_field_data(ParticleColumns& columns, vtkFieldData& data) {
+  if (vtkDataArray* time = data.GetArray(vtk_time_name); time && time->GetNumberOfValues() == 1) {
+    columns.time = time->GetTuple1(0);
+  }
+  if (vtkDataArray* step = data.GetArray(vtk_step_name); step && step->GetNumberOfValues() == 1) {
+    columns.step = static_cast<std::int64_t>(step->GetTuple1(0));
+  }
+  vtkDataArray* corners = data.GetArray(vtk_domain_name);
+  vtkDataArray* periodic = data.GetArray(vtk_periodic_name);
+  if (!corners || corners->GetNumberOfValues() != 6 || !periodic || periodic->GetNumberOfValues() != 3) return;
+  Domain box;
+  for (int k = 0; k < 3; ++k) {
+    box.min[k] = corners->GetVariantValue(k).ToDouble();
+    box.max[k] = corners->GetVariantValue(3 + k).ToDouble();
+    box.periodic[k] = periodic->GetVariantValue(k).ToInt() != 0;
+  }
+  if ((box.min.array() < box.max.array()).all()) columns.domain = box;
+}
+
+}  // namespace
+
+ParticleColumns read_vtk_file(const std::filesystem::path& path) {
+  const vtkSmartPointer<vtkPointSet> points = read_points(path);
+  ParticleColumns columns;
+  columns.source = path.string();
+  columns.count = static_cast<std::size_t>(points->GetNumberOfPoints());
+  for (int k = 0; k < 3; ++k) {
+    columns.values[axis_names[k]] =
+        columns.count > 0 ? component(*points->GetPoints()->GetData(), k) : std::vector<double>();
+  }
+  vtkPointData* data = points->GetPointData();
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a) {
+    vtkDataArray* array = data->GetArray(a);  // null for text
+    if (!array || !array->GetName()) continue;
+    if (array->GetNumberOfTuples() != points->GetNumberOfPoints()) {
+      throw InputError(fmt::format("{}: {} has {} values for {} points; is the file cut short?", columns.source,
+                                   array->GetName(), array->GetNumberOfTuples(), columns.count));
+    }
+    add_array(columns, *array, array->GetName());
+  }
+  read_field_data(columns, *points->GetFieldData());
+  return columns;
+}
+
+PairForces read_yade_interactions(const std::filesystem::path& path) {
+  const vtkSmartPointer<vtkPointSet> points = read_points(path);
+  vtkPolyData* data = vtkPolyData::SafeDownCast(points);
+  vtkDataArray* normal_force = data ? data->GetCellData()->GetArray("forceN") : nullptr;
+  if (!normal_force || normal_force->GetNumberOfTuples() != data->GetNumberOfCells() ||
+      data->GetNumberOfLines() != data->GetNumberOfCells()) {
+    throw InputError(path.string() +
+                     ": holds no interactions; expected lines with forceN, as Yade's recorder intr writes");
+  }
+  PairForces pairs{path.string(), 0, {}, {}, {}};
+  for (vtkIdType k = 0; k < data->GetNumberOfLines(); ++k) {
+    vtkIdType count = 0;
+    const vtkIdType* ends = nullptr;
+    data->GetLines()->GetCellAtId(k, count, ends);
+    if (count != 2) throw InputError(fmt::format("{}: interaction {} has {} ends; expected 2", pairs.source, k, count));
+    const Vec3 first(data->GetPoint(ends[0])), second(data->GetPoint(ends[1]));
+    pairs.centres.push_back({first, second});
+    pairs.force.push_back(normal_force->GetTuple1(k) * (first - second).normalized());
+  }
+  return pairs;
+}
+
+}  // namespace packstone::formats
