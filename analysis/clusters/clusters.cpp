@@ -130,14 +130,18 @@ Table size_table(const Network& network, ImageSets& sets) {
   return table;
 }
 
+Quantity gyration_quantity() {
+  return {.key = "largest_gyration_radius",
+          .label = "radius of gyration of the largest cluster",
+          .unit = "m",
+          .definition = "sqrt(sum v |x - centre|^2 / sum v) over its particles' centres, v their volumes"};
+}
+
 /// The largest clusters, and the largest one's radius of gyration.
 void add_shapes(MeasureResult& result, const Network& network, ImageSets& sets) {
   const Percolation percolation(sets, network.ends, network.snapshot.domain);
   const auto shapes = largest_clusters(network.snapshot, sets, most_shapes);
-  Quantity radius{.key = "largest_gyration_radius",
-                  .label = "radius of gyration of the largest cluster",
-                  .unit = "m",
-                  .definition = "sqrt(sum v |x - centre|^2 / sum v) over its particles' centres, v their volumes"};
+  Quantity radius = gyration_quantity();
   radius.value = shapes.front().gyration_radius;
   if (!radius.value) {
     radius = not_applicable(radius, network.volume[shapes.front().root] > 0
@@ -188,6 +192,7 @@ std::string reason_against(Number number, const std::vector<double>& numbers, co
 MeasureResult without_clusters(const std::array<Quantity, number_count>& quantities, const std::string& reason) {
   MeasureResult result{.name = "clusters"};
   for (const auto& q : quantities) add_without_reference(result, not_applicable(q, reason), reason);
+  result.quantities.push_back(not_applicable(gyration_quantity(), reason));
   return result;
 }
 
