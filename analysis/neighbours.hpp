@@ -19,10 +19,10 @@ struct NearPair {
 
 /// All pairs whose surfaces are nearer than gap [m] (0: spheres that overlap), each once, over the nearest periodic
 /// image: a periodic side must be longer than twice the reach of any pair, else further images are not seen.
-/// The pairs stand in an order that depends on the rows alone.
+/// The smaller particle comes first, of equal ones the lower row. In parallel; the pairs stand in an order that depends
+/// on the rows alone.
 ///
-/// Hierarchical grid: particles sorted into levels by size, factor 2 apart; each level has cells as wide as its
-/// largest particle, kept in a hash table; a particle looks for partners in its own and all coarser levels.
+/// Hierarchical grid (size_levels): a particle looks for partners in its own level and all coarser ones.
 /// Source: He, Dong, Zhou, Phys. Rev. E 75 (2007) 036710.
 std::vector<NearPair> near_pairs(std::span<const Vec3> position, std::span<const double> radius, const Domain& domain,
                                  double gap = 0);

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "analysis/structure/point_grid.hpp"
+#include "analysis/point_grid.hpp"
 
 namespace packstone::analysis {
 

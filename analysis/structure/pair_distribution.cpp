@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/structure/point_grid.hpp"
+#include "analysis/point_grid.hpp"
 #include "core/geometry.hpp"
 #include "core/random.hpp"
 

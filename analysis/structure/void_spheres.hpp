@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "analysis/structure/point_grid.hpp"
+#include "analysis/point_grid.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone::analysis {

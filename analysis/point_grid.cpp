@@ -1,4 +1,4 @@
-#include "analysis/structure/point_grid.hpp"
+#include "analysis/point_grid.hpp"
 
 #include <limits>
 
