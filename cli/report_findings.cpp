@@ -108,6 +108,35 @@ std::string clusters(const ReportedMeasures& m) {
                                   : "Like particles are together less than chance would have it.");
 }
 
+/// A number against its random value, as the last clause of a sentence.
+std::string verdict(double z, const char* more, const char* less) {
+  return std::abs(z) < significant_z ? "as mixed as chance would have it" : z > 0 ? more : less;
+}
+
+std::string neighbours(const ReportedMeasures& m) {
+  const Quantity& contacts = quantity(m.end, "segregation", "contact_mixing");
+  const Quantity& cells = quantity(m.end, "segregation", "cell_lacey");
+  if (!contacts.value || !cells.value) return "";
+  const double z_contacts = quantity(m.end, "segregation", "contact_mixing_z").value.value_or(0);
+  const double z_cells = quantity(m.end, "segregation", "cell_lacey_z").value.value_or(0);
+  return fmt::format(
+      "From neighbour to neighbour the types are {} (contact mixing index {}, z = {:+.1f}), in cells of three "
+      "diameters "
+      "{} (Lacey's index {}, z = {:+.1f}).",
+      verdict(z_contacts, "more mixed than chance would have it", "less mixed than chance would have it"),
+      analysis::value_text(contacts), z_contacts,
+      verdict(z_cells, "more mixed than chance would have it", "less mixed than chance would have it"),
+      analysis::value_text(cells), z_cells);
+}
+
+std::string chains(const ReportedMeasures& m) {
+  const Quantity& share = quantity(m.end, "forces", "chain_particle_share");
+  const Quantity& count = quantity(m.end, "forces", "chain_count");
+  if (!share.value || !count.value || *count.value == 0) return "";
+  return fmt::format("Forces run in {} chains of {} particles on average, which hold {:.0f} % of the particles.",
+                     analysis::value_text(count), text(m.end, "forces", "chain_length_mean"), 100 * *share.value);
+}
+
 std::string account(const RunReader& run) {
   const History h = run.history();
   double input = 0;
@@ -137,7 +166,8 @@ const Quantity& quantity(const Results& results, const std::string& measure, con
 }
 
 std::vector<std::string> findings(const RunReader& run, const ReportedMeasures& m) {
-  std::vector<std::string> sentences = {rest(m), packing(m), segregation(m), layers(run, m), clusters(m), account(run)};
+  std::vector<std::string> sentences = {rest(m),       packing(m),  segregation(m), layers(run, m),
+                                        neighbours(m), clusters(m), chains(m),      account(run)};
   std::erase(sentences, "");
   return sentences;
 }
