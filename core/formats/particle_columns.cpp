@@ -69,12 +69,14 @@ void check_needed(const ParticleColumns& columns) {
   }
 }
 
-void check_positive(const ParticleColumns& columns, const char* name, const char* unit) {
+/// A particle without size, as while radii grow, may have no mass.
+void check_positive(const ParticleColumns& columns, const char* name, const char* unit, const Snapshot& s) {
   const auto found = columns.values.find(name);
   if (found == columns.values.end()) return;
   for (std::size_t i = 0; i < columns.count; ++i) {
     const double value = found->second[i];
-    if (!(value > 0) || !std::isfinite(value)) {
+    const bool nothing = value == 0 && s.radius[i] == 0;
+    if (!nothing && (!(value > 0) || !std::isfinite(value))) {
       columns.fail(i, fmt::format("{}: {:g} {} is out of range; it must be greater than 0", name, value, unit));
     }
   }
@@ -137,8 +139,8 @@ void set_groups(ParticleColumns& columns, Snapshot& s) {
 /// Of every group mass over volume: a program that prints few digits of a mass gives each particle a little another
 /// density.
 void set_densities(ParticleColumns& columns, Snapshot& s) {
-  check_positive(columns, "density", "kg/m3");
-  check_positive(columns, "mass", "kg");
+  check_positive(columns, "density", "kg/m3", s);
+  check_positive(columns, "mass", "kg", s);
   const std::vector<double> density = taken(columns, "density");
   if (columns.has("mass")) s.fields["mass"] = {1, "kg", taken(columns, "mass")};
   if (density.empty() && s.fields.count("mass") == 0) {

@@ -110,6 +110,17 @@ TEST_CASE("several instants go into one dump and one XYZ file, and come back in 
   CHECK_THROWS_AS(write_packing("/no/such/folder/a.csv", random_packing(2)), RunError);
 }
 
+TEST_CASE("particles without size yet, as growth begins with, come back") {
+  const TemporaryFolder folder;
+  Snapshot s = random_packing(10);
+  std::fill(s.radius.begin(), s.radius.end(), 0.0);
+  const std::string extension = GENERATE(".vtkhdf", ".dump", ".csv", ".xyz");
+  CAPTURE(extension);
+  write_packing(folder / ("a" + extension), s);
+  const Snapshot t = read_packing(folder / ("a" + extension));
+  CHECK(t.radius == s.radius);
+}
+
 TEST_CASE("a dump's particles come by id, with what its columns say") {
   const Snapshot s = reading(dump, "a.dump");
   CHECK(s.id == std::vector<std::int64_t>{4, 9});
