@@ -1,6 +1,7 @@
 // Sums over many items by all threads, the same bits for any number of them.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -21,6 +22,13 @@ Sum sum_in_blocks(std::size_t n, const Sum& zero, Add&& add) {
   Sum total = zero;
   for (const Sum& each : partial) total += each;
   return total;
+}
+
+/// Sums in bins: add(sums, item) may add to any of them.
+template <class Add>
+std::vector<double> bins_in_blocks(std::size_t n, std::size_t bins, Add&& add) {
+  const Eigen::VectorXd sums = sum_in_blocks(n, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bins)).eval(), add);
+  return {sums.begin(), sums.end()};
 }
 
 }  // namespace packstone::analysis

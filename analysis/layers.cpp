@@ -26,24 +26,13 @@ Layers layers_over_bed(const BedFrame& frame, const std::vector<double>& radius,
   return layers;
 }
 
-LayerPieces cut_into_layers(std::span<const double> height, std::span<const double> radius, const Layers& layers,
-                            Outside outside) {
-  LayerPieces pieces;
-  pieces.begin.reserve(height.size() + 1);
-  pieces.begin.push_back(0);
-  for (std::size_t i = 0; i < height.size(); ++i) {
-    for_layer_pieces(height[i], radius[i], layers, outside, [&](std::uint32_t layer, double volume) {
-      pieces.layer.push_back(layer);
-      pieces.volume.push_back(volume);
-    });
-    pieces.begin.push_back(pieces.layer.size());
-  }
-  return pieces;
-}
-
-std::vector<double> volume_by_layer(const LayerPieces& pieces, const Layers& layers) {
+std::vector<double> volume_by_layer(std::span<const double> height, std::span<const double> radius,
+                                    const Layers& layers) {
   std::vector<double> volume(layers.count, 0.0);
-  for (std::size_t k = 0; k < pieces.layer.size(); ++k) volume[pieces.layer[k]] += pieces.volume[k];
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    for_layer_pieces(height[i], radius[i], layers, Outside::dropped,
+                     [&](std::uint32_t layer, double part) { volume[layer] += part; });
+  }
   return volume;
 }
 

@@ -63,17 +63,8 @@ void for_layer_pieces(double height, double radius, const Layers& layers, Outsid
   }
 }
 
-/// The parts of all spheres by layer, particle after particle.
-struct LayerPieces {
-  std::vector<std::size_t> begin;    ///< (N + 1) pieces of particle i are [begin[i], begin[i + 1])
-  std::vector<std::uint32_t> layer;  ///< of a piece
-  std::vector<double> volume;        ///< of a piece [m3]
-};
-
-LayerPieces cut_into_layers(std::span<const double> height, std::span<const double> radius, const Layers& layers,
-                            Outside outside);
-
-/// Solid volume of every layer [m3].
-std::vector<double> volume_by_layer(const LayerPieces& pieces, const Layers& layers);
+/// Solid volume of every layer [m3]; what lies outside is dropped.
+std::vector<double> volume_by_layer(std::span<const double> height, std::span<const double> radius,
+                                    const Layers& layers);
 
 }  // namespace packstone::analysis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +30,10 @@ struct Column {
   ColumnFormat format = ColumnFormat::general;
 };
 
-/// Rows of numbers; NaN where a cell has no value (null in JSON, empty in CSV).
+/// Stands in a table's cell that has no value.
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// Rows of numbers; no_value is null in JSON and empty in CSV.
 struct Table {
   std::string key = {};      ///< name in JSON, and in the CSV file's name
   std::string caption = {};  ///< what a row is, and how it is defined

@@ -60,7 +60,11 @@ std::vector<TimedResults> analyze_series(const RunReader& run, std::span<const s
       failures[k] = std::current_exception();
     }
 #pragma omp critical(series_progress)
-    if (options.progress) options.progress(++done);
+    try {
+      if (options.progress) options.progress(++done);
+    } catch (...) {
+      if (!failures[k]) failures[k] = std::current_exception();
+    }
   }
   for (const auto& failure : failures) {
     if (failure) std::rethrow_exception(failure);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/forces/force_network.hpp"
 #include "core/error.hpp"
 
 namespace packstone::analysis {
@@ -14,7 +15,7 @@ namespace {
 std::vector<double> normal_forces(const Contacts& contacts) {
   std::vector<double> forces;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (contacts.overlap[k] > 0 && contacts.second[k] >= 0) forces.push_back(contacts.force[k].dot(contacts.normal[k]));
+    if (contacts.overlap[k] > 0 && contacts.second[k] >= 0) forces.push_back(normal_force(contacts, k));
   }
   return forces;
 }

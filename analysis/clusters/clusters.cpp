@@ -1,8 +1,6 @@
 // Measure "clusters": groups of particles that touch, are near, or press hard on each other.
 #include <array>
-#include <limits>
 #include <map>
-#include <numeric>
 
 #include "analysis/clusters/cluster_links.hpp"
 #include "analysis/clusters/cluster_shapes.hpp"
@@ -103,7 +101,7 @@ std::vector<double> cluster_numbers(const Network& network, std::span<const std:
 
 /// Type of a cluster for the tables; none where clusters hold any.
 double type_of(const Network& network, std::uint32_t root) {
-  if (network.any_type) return std::numeric_limits<double>::quiet_NaN();
+  if (network.any_type) return no_value;
   return network.list.species[static_cast<std::size_t>(network.list.label[root])].type;
 }
 
@@ -164,7 +162,7 @@ void add_shapes(MeasureResult& result, const Network& network, ImageSets& sets) 
                           {"percolates_z", "", ColumnFormat::integer}}};
   for (const ClusterShape& shape : shapes) {
     std::vector<double> row = {type_of(network, shape.root), static_cast<double>(shape.size),
-                               shape.gyration_radius.value_or(std::numeric_limits<double>::quiet_NaN())};
+                               shape.gyration_radius.value_or(no_value)};
     for (int k = 0; k < 3; ++k) row.push_back(shape.extent[k]);
     for (int k = 0; k < 3; ++k) row.push_back(percolation.along(shape.root, k) ? 1 : 0);
     table.rows.push_back(row);
@@ -183,7 +181,7 @@ std::string number_note(const Network& network, const ContactNetwork& contacts) 
 
 /// Empty when the number exists.
 std::string reason_against(Number number, const std::vector<double>& numbers, const Network& network) {
-  if (number == like_share && network.links.links.empty()) return "no contacts between particles";
+  if (number == like_share && network.links.links.empty()) return "no pairs " + network.links.rule;
   const bool weighed = network.snapshot.has_masses() && numbers[mean_size_by_mass] > 0;
   if (number == mean_size_by_mass && !weighed) return "the particles have no mass: a density or a radius is not known";
   return "";

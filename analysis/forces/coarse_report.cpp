@@ -1,5 +1,4 @@
 // Coarse-grained fields as tables.
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -9,8 +8,6 @@
 namespace packstone::analysis {
 
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Column> field_columns() {
   return {{"density", "kg/m3"},

@@ -202,7 +202,6 @@ std::vector<std::uint32_t> communities(std::span<const WeightedEdge> edges, std:
     const std::uint32_t count = split_disconnected(gains, label);
     if (!merge_communities(gains, label, count)) break;
   }
-  renumber(label);
   return label;
 }
 

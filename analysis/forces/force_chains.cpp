@@ -99,7 +99,6 @@ std::vector<std::uint32_t> chain_of_particles(const Snapshot& snapshot, const st
 ForceChains force_chains(const Snapshot& snapshot, const ForceNetwork& network, const ForceOptions& options) {
   ForceChains chains;
   const StressedParticles particles = stressed_particles(snapshot, network);
-  chains.mean_stress = particles.mean;
   chains.links = links_of(snapshot, network, particles, options);
   const auto chain = chain_of_particles(snapshot, chains.links, chains.length);
   std::erase_if(chains.links, [&](const ChainLink& link) { return chain[link.first] == no_chain; });

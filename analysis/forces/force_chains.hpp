@@ -22,7 +22,6 @@ struct ForceChains {
   std::vector<ChainLink> links;       ///< by chain, then in the order of the contacts
   std::size_t particles = 0;          ///< in chains
   std::size_t branch_points = 0;      ///< particles of chains with three links or more
-  double mean_stress = 0;             ///< mean of the largest principal stress of loaded particles [Pa]
 };
 
 /// A particle can be in a chain when the largest (most compressive) principal stress of its own stress tensor

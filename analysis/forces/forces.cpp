@@ -26,7 +26,11 @@ void add_overlaps(MeasureResult& result, const Context& context) {
   const std::size_t count = contacts.pairs.size() + contacts.walls.size();
   for (Quantity* q : {&mean, &largest}) {
     q->note = contacts.source();
-    if (count == 0) *q = not_applicable(*q, "no contacts");
+    if (count == 0) {
+      *q = not_applicable(*q, "no contacts");
+    } else if (!(context.mean_radius > 0)) {
+      *q = not_applicable(*q, "all radii are 0");
+    }
   }
   if (count > 0 && context.mean_radius > 0) {
     mean.value = sum / static_cast<double>(count) / context.mean_radius;

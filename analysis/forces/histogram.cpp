@@ -8,8 +8,8 @@ namespace packstone::analysis {
 
 Table histogram(Table table, std::span<const double> values, double mean) {
   table.caption +=
-      ": bins from lower to upper (means), count, probability density; what lies beyond 20 means counts in the last "
-      "bin";
+      ": bins from lower to upper (means), count, probability density; what lies beyond 20 means either way counts in "
+      "the outermost bins";
   table.columns = {{"lower"}, {"upper"}, {"count", "", ColumnFormat::integer}, {"density"}};
   if (values.empty() || !(mean > 0)) return table;
   std::array<double, 2 * histogram_bins> count{};

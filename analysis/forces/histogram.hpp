@@ -15,7 +15,8 @@ inline constexpr int histogram_bins = 200;
 inline constexpr double equal_forces = 1e-12;
 
 /// The table with columns lower, upper (in means), count and density (probability density of value / mean; integrates
-/// to 1), from the bin of the smallest to that of the largest value; what lies beyond 20 means counts in the last bin.
+/// to 1), from the bin of the smallest to that of the largest value; what lies beyond 20 means
+/// either way counts in the outermost bins.
 /// table: key and caption, which is extended. No rows unless mean > 0.
 Table histogram(Table table, std::span<const double> values, double mean);
 

@@ -51,7 +51,8 @@ struct LayerStress {
 std::vector<LayerStress> layer_stress(const Snapshot& snapshot, const BedFrame& frame, const ForceNetwork& network,
                                       const Layers& layers);
 
-/// The particles' velocities by rows; empty unless the field "velocity" is there, a vector and finite.
+/// The particles' velocities by rows; empty unless the field "velocity" is there, a vector and finite, and all
+/// masses are known.
 std::span<const double> velocities(const Snapshot& snapshot);
 
 /// Angle between a direction, either way along it, and the vertical [degrees].

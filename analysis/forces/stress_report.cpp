@@ -1,6 +1,5 @@
 // Stress of the bulk, of layers and of particles as quantities and tables.
 #include <cmath>
-#include <limits>
 
 #include "analysis/forces/histogram.hpp"
 #include "analysis/forces/parts.hpp"
@@ -135,8 +134,7 @@ Table profile_table(const Snapshot& snapshot, const Context& context, const Forc
   for (std::size_t k = 0; k < layers.count; ++k) {
     const Mat3 total = stress[k].total();
     const PrincipalStress axes = principal(total);
-    const double angle = total.isZero(0) ? std::numeric_limits<double>::quiet_NaN()
-                                         : angle_to_vertical(axes.direction.col(0), context.frame);
+    const double angle = total.isZero(0) ? no_value : angle_to_vertical(axes.direction.col(0), context.frame);
     std::vector<double> row{layers.lower(k), layers.upper(k)};
     append_tensor(row, total);
     row.insert(row.end(), {pressure(total), deviator(total), axes.value[0], axes.value[1], axes.value[2], angle,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/mean_diameter.hpp"
 #include "analysis/packing/fractions.hpp"
 #include "analysis/packing/images.hpp"
 #include "analysis/packing/interior.hpp"

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/mean_diameter.hpp"
+
 namespace packstone::analysis {
 
 namespace {
@@ -157,15 +159,6 @@ Heights whole_height(const Bed& bed, const BedState& state, double diameter) {
 }
 
 }  // namespace
-
-double volume_mean_diameter(const std::vector<double>& radius) {
-  double third = 0, fourth = 0;
-  for (double r : radius) {
-    third += r * r * r;
-    fourth += r * r * r * r;
-  }
-  return third > 0 ? 2 * fourth / third : 0;
-}
 
 Interior interior_of(const Snapshot& snapshot, const Context& context, const Container& container) {
   Interior interior;

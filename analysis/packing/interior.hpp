@@ -10,10 +10,6 @@
 
 namespace packstone::analysis {
 
-/// Mean diameter weighted by volume, sum d^4 / sum d^3 [m] (De Brouckere): a few large particles among many fine ones
-/// order the bed at a wall over their own size. 0 without solid.
-double volume_mean_diameter(const std::vector<double>& radius);
-
 /// Where the bed is neither ordered by a wall nor loosened by its surface.
 struct Interior {
   double margin = 0;                 ///< distance kept from walls, floor and surface [m]

@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "analysis/packing/blocked_sums.hpp"
+#include "analysis/blocks.hpp"
+#include "analysis/mean_diameter.hpp"
 #include "analysis/packing/fractions.hpp"
 #include "analysis/packing/images.hpp"
 
@@ -24,7 +25,7 @@ std::vector<double> solid_by_block(const RegionShape& column, int axis, std::siz
     block.push_back(between(column, axis, lower, k + 1 < blocks ? lower + thickness : box.max[axis]));
   }
   const double highest = static_cast<double>(blocks - 1);
-  return blocked_sums(snapshot.size(), blocks, [&](std::size_t i, std::span<double> sum) {
+  return bins_in_blocks(snapshot.size(), blocks, [&](Eigen::VectorXd& sum, std::size_t i) {
     const double r = snapshot.radius[i];
     for_each_image(snapshot.domain, snapshot.position[i], r, box, [&](const Vec3& image) {
       const double from = std::floor((image[axis] - r - bottom) / thickness);

@@ -20,14 +20,14 @@ const char* const fraction_definition =
     "solid volume (exact sphere slabs, overlaps counted twice) between 10 % and 80 % of bed_height above the floor, "
     "over "
     "that slab's volume with the bed's cross-section; uncertainty: standard error over equal blocks of the slab, at "
-    "least one mean diameter thick";
+    "least one number-mean diameter thick";
 const char* const height_definition =
     "height of the bed that holds all solid at bulk_fraction: h = solid_volume / (cross_section * bulk_fraction), "
     "solved "
     "together with bulk_fraction; above the floor (the highest flat upward boundary, else the domain's lower face)";
 const char* const periodic_fraction_definition =
     "solid volume (overlaps counted twice) over the volume of the domain, which is periodic along up: no floor, no "
-    "surface; uncertainty: standard error over equal horizontal blocks, at least one mean diameter thick";
+    "surface; uncertainty: standard error over equal horizontal blocks, at least one number-mean diameter thick";
 
 struct Slab {
   double lower, upper;  // [m]
@@ -42,8 +42,7 @@ std::optional<double> fraction_error(const Snapshot& snapshot, const Context& co
                       .thickness = thickness / blocks,
                       .count = static_cast<std::size_t>(blocks),
                       .periodic = context.frame.periodic};
-  const auto volumes =
-      volume_by_layer(cut_into_layers(context.frame.height, snapshot.radius, layers, Outside::dropped), layers);
+  const auto volumes = volume_by_layer(context.frame.height, snapshot.radius, layers);
   const double block_volume = context.frame.area * layers.thickness;
   double mean = 0, squares = 0;
   for (double v : volumes) mean += v / block_volume / blocks;
@@ -54,8 +53,7 @@ std::optional<double> fraction_error(const Snapshot& snapshot, const Context& co
 Table vertical_profile(const Snapshot& snapshot, const Context& context) {
   const double wanted = context.options.profile_layer > 0 ? context.options.profile_layer : context.mean_radius;
   const Layers layers = layers_over_bed(context.frame, snapshot.radius, wanted);
-  const auto volumes =
-      volume_by_layer(cut_into_layers(context.frame.height, snapshot.radius, layers, Outside::dropped), layers);
+  const auto volumes = volume_by_layer(context.frame.height, snapshot.radius, layers);
   Table table{.key = "profile",
               .caption =
                   "Solid fraction by height above the floor: exact sphere slabs over the bed's cross-section "

@@ -1,7 +1,7 @@
 // Solid fraction of the regions that the user names.
 #include <fmt/format.h>
 
-#include "analysis/packing/blocked_sums.hpp"
+#include "analysis/blocks.hpp"
 #include "analysis/packing/fractions.hpp"
 #include "analysis/packing/images.hpp"
 #include "analysis/packing/lens.hpp"
@@ -18,7 +18,7 @@ struct Content {
 
 Content content_of(const RegionShape& region, const Snapshot& snapshot) {
   const BoxRegion box = bounds(region);
-  const auto sums = blocked_sums(snapshot.size(), 2, [&](std::size_t i, std::span<double> sum) {
+  const auto sums = bins_in_blocks(snapshot.size(), 2, [&](Eigen::VectorXd& sum, std::size_t i) {
     double volume = 0;
     for_each_image(snapshot.domain, snapshot.position[i], snapshot.radius[i], box,
                    [&](const Vec3& image) { volume += volume_in_region(region, image, snapshot.radius[i]); });
@@ -32,7 +32,7 @@ Content content_of(const RegionShape& region, const Snapshot& snapshot) {
 double counted_twice(const RegionShape& region, const Snapshot& snapshot, const Context& context) {
   const BoxRegion box = bounds(region);
   const auto& pairs = context.contacts.pairs;
-  return blocked_sums(pairs.size(), 1, [&](std::size_t k, std::span<double> sum) {
+  return bins_in_blocks(pairs.size(), 1, [&](Eigen::VectorXd& sum, std::size_t k) {
     const NearPair& pair = pairs[k];
     const double radius = snapshot.radius[pair.first];
     const Vec3 between = snapshot.domain.separation(snapshot.position[pair.first], snapshot.position[pair.second]);
@@ -73,7 +73,7 @@ void add_regions(MeasureResult& result, const Snapshot& snapshot, const Context&
     const RegionShape region = clipped(regions[k], snapshot.domain);
     const double volume = region_volume(region);
     const Content content = content_of(region, snapshot);
-    const double twice = content.solid > 0 ? counted_twice(region, snapshot, context) / content.solid : std::nan("");
+    const double twice = content.solid > 0 ? counted_twice(region, snapshot, context) / content.solid : no_value;
     table.rows.push_back(
         {static_cast<double>(k), volume, content.solid, content.solid / volume, content.particles, twice});
   }

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "analysis/blocks.hpp"
 #include "analysis/layers.hpp"
-#include "analysis/packing/blocked_sums.hpp"
 #include "analysis/packing/fractions.hpp"
 #include "analysis/packing/images.hpp"
 #include "core/bed.hpp"
@@ -56,7 +56,7 @@ Shells shells_of(const Snapshot& snapshot, const Context& context, const Contain
     result.volume.push_back(region_volume(column[k]) - (k + 1 < shells ? region_volume(column[k + 1]) : 0));
   }
   const BoxRegion box = bounds(column.front());
-  result.solid = blocked_sums(snapshot.size(), shells, [&](std::size_t i, std::span<double> sum) {
+  result.solid = bins_in_blocks(snapshot.size(), shells, [&](Eigen::VectorXd& sum, std::size_t i) {
     const double r = snapshot.radius[i];
     for_each_image(snapshot.domain, snapshot.position[i], r, box, [&](const Vec3& image) {
       const double distance = container.wall_distance(image);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/mean_diameter.hpp"
+
 namespace packstone::analysis {
 
 namespace {
@@ -94,15 +96,6 @@ double MixedBed::separated_distance() const {
   for (std::size_t s = 0; s < list.size(); ++s) shares.push_back(list.share(s));
   std::sort(shares.begin(), shares.end());
   return 1 - (shares[0] + shares[1]) / 2;
-}
-
-double volume_mean_diameter(std::span<const double> radius) {
-  double fourth = 0, third = 0;
-  for (const double r : radius) {
-    third += r * r * r;
-    fourth += r * r * r * r;
-  }
-  return third > 0 ? 2 * fourth / third : 0;
 }
 
 MixedBed mixed_bed(const Snapshot& snapshot, const Context& context) {

@@ -45,8 +45,4 @@ struct MixedBed {
 
 MixedBed mixed_bed(const Snapshot& snapshot, const Context& context);
 
-/// The coarse diameter of a bed, sum d^4 / sum d^3 over the particles [m]: what large ones need where sizes differ
-/// much. 0 without volume.
-double volume_mean_diameter(std::span<const double> radius);
-
 }  // namespace packstone::analysis

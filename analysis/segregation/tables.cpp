@@ -12,8 +12,6 @@ namespace packstone::analysis {
 
 namespace {
 
-const double none = std::nan("");
-
 /// Lower and upper edge of a compartment [m].
 using Edges = std::function<std::pair<double, double>(std::size_t)>;
 
@@ -30,9 +28,9 @@ void put_compositions(Table& table, const MixedBed& bed, Part part, const Edges&
     const bool empty = !(c.whole[l] > 0);
     for (std::size_t s = 0; s < bed.list.size(); ++s) {
       const double spread = std::sqrt(std::max(0.0, variances[l * bed.list.size() + s]));
-      const double share = empty ? none : c.share(l, s), expected = c.mean[s];
+      const double share = empty ? no_value : c.share(l, s), expected = c.mean[s];
       table.rows.push_back({lower, upper, static_cast<double>(bed.list.species[s].type), share, expected,
-                            empty ? none : spread, spread > 0 ? (share - expected) / spread : none});
+                            empty ? no_value : spread, spread > 0 ? (share - expected) / spread : no_value});
     }
   }
 }
@@ -41,7 +39,7 @@ std::vector<Column> composition_columns(const char* lower, const char* upper) {
   return {{lower, "m"}, {upper, "m"}, {"type", "", ColumnFormat::integer}, {"share"}, {"expected"}, {"spread"}, {"z"}};
 }
 
-double lacey_of(const LaceyScale& scale, double variance) { return scale.exists() ? scale(variance) : none; }
+double lacey_of(const LaceyScale& scale, double variance) { return scale.exists() ? scale(variance) : no_value; }
 
 }  // namespace
 
@@ -75,7 +73,8 @@ Table type_table(const MixedBed& bed) {
   const auto centres = centres_of(bed.snapshot.position, bed.list.label, bed.amounts.of, bed.list.size());
   const DividedBed& layers = bed.parts[layers_part];
   const bool layered = layers.missing.empty();
-  const auto variances = layered ? variance_by_species(layers.composition) : std::vector<double>(bed.list.size(), none);
+  const auto variances =
+      layered ? variance_by_species(layers.composition) : std::vector<double>(bed.list.size(), no_value);
   for (std::size_t s = 0; s < bed.list.size(); ++s) {
     const double p = bed.amounts.share(s);
     table.rows.push_back({static_cast<double>(bed.list.species[s].type), static_cast<double>(bed.list.species[s].count),
@@ -111,9 +110,9 @@ Table scale_table(const MixedBed& bed, const MixingNumbers& numbers) {
     const std::size_t s2 = index_of_scale(k, variance);
     const RandomReference& random = numbers.random[s2];
     const LaceyScale& scale = lacey_scales[k];
-    row.insert(row.end(),
-               {lacey_of(scale, numbers.found[s2]), lacey_of(scale, random.mean),
-                scale.exists() ? random.deviation / scale.contrast() : none, lacey_of(scale, numbers.separated[s2])});
+    row.insert(row.end(), {lacey_of(scale, numbers.found[s2]), lacey_of(scale, random.mean),
+                           scale.exists() ? random.deviation / scale.contrast() : no_value,
+                           lacey_of(scale, numbers.separated[s2])});
     row.insert(row.end(), {numbers.found[s2] / scale.separated, random.mean / scale.separated,
                            random.deviation / scale.separated, numbers.separated[s2] / scale.separated});
     for (const DivisionNumber number : {relative_deviation, entropy}) {

@@ -44,7 +44,7 @@ void add_rows(Table& table, const PairDistribution& distribution, const PairCurv
   for (std::size_t k = 0; k < distribution.bins; ++k) {
     std::vector<double> row = leading;
     const double lower = static_cast<double>(k) * distribution.bin;
-    const double error = curve.error[k] > 0 ? curve.error[k] : std::nan("");
+    const double error = curve.error[k] > 0 ? curve.error[k] : no_value;
     row.insert(row.end(), {lower, lower + distribution.bin, curve.g[k], error});
     table.rows.push_back(std::move(row));
   }

@@ -174,7 +174,7 @@ Table by_types(const Snapshot& snapshot, const Adjacency& near) {
       const double mean = sum[a * types + b] / n;
       const double variance = std::max(0.0, (squares[a * types + b] - n * mean * mean) / (n - 1));
       table.rows.push_back({static_cast<double>(list.species[a].type), static_cast<double>(list.species[b].type), n,
-                            mean, n > 1 ? std::sqrt(variance / n) : std::nan("")});
+                            mean, n > 1 ? std::sqrt(variance / n) : no_value});
     }
   }
   return table;

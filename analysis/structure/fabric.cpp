@@ -1,17 +1,15 @@
 // Which way the contacts point.
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/blocks.hpp"
+#include "analysis/forces/stress.hpp"
 #include "analysis/structure/parts.hpp"
 #include "core/bed.hpp"
 
 namespace packstone::analysis {
 
 namespace {
-
-using Mat3 = Eigen::Matrix3d;
 
 /// From the deviator of the fabric tensor to the second-order density of contact directions,
 /// E(n) = (1 + F_ij n_i n_j)/(4 pi): F = 15/2 (phi - 1/3).
@@ -100,7 +98,7 @@ FabricQuantities fabric_quantities(const std::string& note) {
            .note = note},
           {.key = "fabric_principal_angle",
            .label = "principal direction of contacts, from up",
-           .unit = "deg",
+           .unit = "degrees",
            .definition = "angle between up and the eigenvector of phi's largest eigenvalue, over the contacts of "
                          "fabric_anisotropy; 0 to 90",
            .note = note}};
@@ -151,8 +149,8 @@ void add_fabric(MeasureResult& result, const Snapshot& snapshot, const Context& 
     const Fabric f = fabric_of(each, up);
     const Mat3& t = f.tensor;
     table.rows.push_back({bulk, static_cast<double>(each.size()), t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2),
-                          f.eigenvalue[0], f.eigenvalue[1], f.eigenvalue[2], f.anisotropy, f.error, f.principal[0],
-                          f.principal[1], f.principal[2]});
+                          f.eigenvalue[0], f.eigenvalue[1], f.eigenvalue[2], f.anisotropy,
+                          each.size() > 1 ? f.error : no_value, f.principal[0], f.principal[1], f.principal[2]});
     return f;
   };
   if (!normals.all.empty()) add_row(0, normals.all);
@@ -162,11 +160,10 @@ void add_fabric(MeasureResult& result, const Snapshot& snapshot, const Context& 
   } else {
     const Fabric fabric = add_row(1, normals.bulk);
     q.anisotropy.value = fabric.anisotropy;
-    q.anisotropy.uncertainty = fabric.error;
+    if (normals.bulk.size() > 1) q.anisotropy.uncertainty = fabric.error;
     q.random.value = density_factor / std::sqrt(static_cast<double>(normals.bulk.size()));
     set_vertical(q.vertical, fabric, normals.bulk, frame.axis);
-    const double along = std::min(1.0, fabric.principal.dot(up));
-    q.angle.value = std::acos(along) * 180 / std::numbers::pi;
+    q.angle.value = angle_to_vertical(fabric.principal, frame);
   }
   for (const Quantity& each : {q.anisotropy, q.random, q.vertical, q.angle}) result.quantities.push_back(each);
   result.tables.push_back(std::move(table));

@@ -165,7 +165,13 @@ PairDistribution pair_distribution(const Snapshot& snapshot, const Window& windo
                                    std::size_t labels, double bin, std::size_t bins) {
   const double range = bin * static_cast<double>(bins);
   const Sample sample = sampled(snapshot, window, range);
-  const PointGrid grid(snapshot.position, sample.rows, snapshot.domain, range / cells_a_range);
+  // No pairs through a side that the window is cut off from.
+  std::vector<Vec3> place;
+  place.reserve(snapshot.size());
+  for (const Vec3& p : snapshot.position) place.push_back(snapshot.domain.wrapped(p));
+  Domain domain = snapshot.domain;
+  domain.periodic = window.periodic;
+  const PointGrid grid(place, sample.rows, domain, range / cells_a_range);
 
   const std::size_t kinds = std::max<std::size_t>(labels, 1);  // without labels the total is the only curve
   const std::size_t curves = kinds * (kinds + 1) / 2;
@@ -177,7 +183,7 @@ PairDistribution pair_distribution(const Snapshot& snapshot, const Window& windo
     partial[b].assign(curves * bins, 0);
     for (std::size_t k = references * b / blocks; k < references * (b + 1) / blocks; ++k) {
       const std::uint32_t i = sample.references[k];
-      grid.for_each_within(snapshot.position[i], range, [&](std::uint32_t j, const Vec3&, double squared) {
+      grid.for_each_within(place[i], range, [&](std::uint32_t j, const Vec3&, double squared) {
         if (j == i) return;
         const auto at = std::min(static_cast<std::size_t>(std::sqrt(squared) / bin), bins - 1);
         ++partial[b][curve_of(label_of(i), label_of(j), kinds) * bins + at];

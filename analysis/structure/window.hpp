@@ -27,7 +27,8 @@ struct WindowOrReason {
 
 /// Along up the bulk, 10 % to 80 % of the bed's height; across it the domain, cut by upright planes, and where other
 /// boundaries stand in that box or a slanted plane cuts it, shrunk towards its centre until none does (in a cylinder:
-/// the box inscribed). All of a side that is periodic, unless a boundary is in the way. The sides across up that are
+/// the box inscribed). All of a side that is periodic, unless a boundary is in the way;
+/// where the box is shrunk, both sides across up lose their images. The sides across up that are
 /// not periodic are then moved inwards by the inset [m].
 WindowOrReason bulk_window(const Snapshot& snapshot, const Context& context, double inset);
 

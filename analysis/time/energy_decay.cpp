@@ -1,7 +1,6 @@
 #include "analysis/time/energy_decay.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double components = 3;
 
 bool moves(const LayerMotion& layer) { return layer.kinetic >= rest_threshold * layer.weight; }
@@ -29,7 +27,7 @@ Quantity temperature_of(const MotionOfLayers& bed) {
   double fluctuation = 0, freedom = 0;
   std::size_t particles = 0, layers = 0;
   for (const LayerMotion& layer : bed.motion) {
-    if (layer.particles < 2) continue;
+    if (layer.particles < 2 || !(layer.degrees_of_freedom() > 0)) continue;
     fluctuation += layer.fluctuation();
     freedom += layer.degrees_of_freedom();
     particles += layer.particles;
@@ -102,9 +100,8 @@ MotionOfLayers motion_of_layers(const Snapshot& snapshot, const Context& context
   bed.motion.resize(bed.layers.count);
   const double gravity = snapshot.gravity.norm();
   for (std::size_t i = 0; i < snapshot.size() && bed.layers.count > 0; ++i) {
-    const double place = std::floor((context.frame.height[i] - bed.layers.bottom) / bed.layers.thickness);
-    const auto last = static_cast<double>(bed.layers.count - 1);
-    LayerMotion& layer = bed.motion[static_cast<std::size_t>(std::clamp(place, 0.0, last))];
+    const std::ptrdiff_t place = bed.layers.at(context.frame.height[i]), last = bed.motion.size() - 1;
+    LayerMotion& layer = bed.motion[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(place, 0, last))];
     const Vec3 v(velocity[3 * i], velocity[3 * i + 1], velocity[3 * i + 2]);
     const double mass = snapshot.mass(i);
     layer.mass += mass;

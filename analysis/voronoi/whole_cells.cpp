@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/geometry.hpp"
 
@@ -120,16 +119,15 @@ Table type_table(const WholeCells& cells, const SpeciesList& species) {
     sums[s].volume += cells.volume[i];
     sums[s].faces += cells.faces[i];
   }
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t s = 0; s < species.size(); ++s) {
     const double n = static_cast<double>(sums[s].cells), type = species.species[s].type;
     if (sums[s].cells == 0) {
-      table.rows.push_back({type, 0, none, none, none, none, none});
+      table.rows.push_back({type, 0, no_value, no_value, no_value, no_value, no_value});
       continue;
     }
     const Spread spread = spread_of(fraction[s]);
-    table.rows.push_back({type, n, spread.mean, spread.deviation, sums[s].solid / sums[s].volume, sums[s].volume / n,
-                          sums[s].faces / n});
+    table.rows.push_back({type, n, spread.mean, sums[s].cells > 1 ? spread.deviation : no_value,
+                          sums[s].solid / sums[s].volume, sums[s].volume / n, sums[s].faces / n});
   }
   return table;
 }
@@ -145,11 +143,10 @@ Table cell_table(const Snapshot& snapshot, const RadicalCells& cells) {
                           {"local_fraction"},
                           {"faces", "", ColumnFormat::integer},
                           {"state", "", ColumnFormat::integer}}};
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
     const bool present = cells.volume[i] > 0;
     table.rows.push_back({static_cast<double>(snapshot.id[i]), static_cast<double>(snapshot.type[i]), cells.volume[i],
-                          present ? sphere_volume(snapshot.radius[i]) / cells.volume[i] : none,
+                          present ? sphere_volume(snapshot.radius[i]) / cells.volume[i] : no_value,
                           static_cast<double>(cells.faces[i]), static_cast<double>(cells.state[i])});
   }
   return table;

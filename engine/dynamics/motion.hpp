@@ -23,6 +23,12 @@ struct Seats {
   static constexpr std::uint32_t all = (1u << Lanes::width) - 1;
 };
 
+/// Lanes of motion of a group, or of one part of it.
+template <class Lanes>
+Seats seats_of(const NeighbourGroup& group, int part) {
+  return {group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>};
+}
+
 /// Writes the compact rows of the next instant.
 template <class L>
 [[gnu::always_inline]] inline void write_compact(Particles& p, std::int32_t slot,

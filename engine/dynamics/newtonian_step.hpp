@@ -8,15 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <omp.h>
-
 #include "engine/dynamics/contact_forces.hpp"
 #include "engine/dynamics/contact_history.hpp"
 #include "engine/dynamics/lane_sums.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/precision.hpp"
 #include "engine/dynamics/step.hpp"
-#include "engine/dynamics/wall_contacts.hpp"
+#include "engine/dynamics/wall_forces.hpp"
 #include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
 
@@ -34,6 +32,7 @@ class NewtonianStep final : public Dynamics {
         forces_(scene.contact, scene.materials),
         list_(domain, PairLanes::width, forces_.range()),
         walls_(boundaries, Lanes::width),
+        from_walls_(domain, boundaries, forces_, list_, walls_, history_.walls),
         wall_loads_(boundaries.size()) {
     history_.numbers = forces_.kept();
   }
@@ -54,8 +53,7 @@ class NewtonianStep final : public Dynamics {
       list_.build(particles, growth, dt);
       walls_.build(list_, particles, dt);
     }
-    wall_sides_.resize(static_cast<std::size_t>(omp_get_max_threads()));
-    block_loads_.resize(list_.blocks().size() * boundaries_.size());
+    from_walls_.make_room();
     if constexpr (Precision::compact) particles.make_compact(period_of_places(), 0.5 * (domain_.min + domain_.max));
   }
 
@@ -100,7 +98,7 @@ class NewtonianStep final : public Dynamics {
   StepSums advance_all(Particles& particles, const StepInput& input, Recorder* recorder) {
     const auto blocks = static_cast<std::ptrdiff_t>(list_.blocks().size());
     results_.resize(list_.blocks().size());
-    std::fill(block_loads_.begin(), block_loads_.end(), WallLoad{});
+    from_walls_.start();
 #pragma omp parallel for schedule(dynamic) num_threads(useful_threads(particles.size()))
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       results_[b] = {};
@@ -114,8 +112,7 @@ class NewtonianStep final : public Dynamics {
       displacement += block.displacement;
       if (recorder && recorder->want_contacts) recorder->contacts.append(block.contacts);
     }
-    std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
-    for (std::size_t k = 0; k < block_loads_.size(); ++k) wall_loads_[k % boundaries_.size()].add(block_loads_[k]);
+    from_walls_.sum_up(wall_loads_);
     for (const WallLoad& load : wall_loads_) sums.wall_work += input.dt * load.power;
     list_.moved(sums.largest_share_squared, displacement, input.dt);
     return sums;
@@ -132,8 +129,9 @@ class NewtonianStep final : public Dynamics {
     const InDouble rows(p, domain_);
     const DoublePrecision<simd::Scalar> single_rows(p, domain_);
     constexpr bool turning = Tangential::active;
-    const bool beyond_at_walls = boundaries_.size() > 0 && wall_loads<record>(p, block, in, recorder);
-    const WallLoads<Lanes>* from_walls = wall_side().loads.data();  // of the next seat that has any
+    const bool beyond_at_walls =
+        boundaries_.size() > 0 && from_walls_.template find<record>(p, block, in, recorder, result);
+    const WallLoads<Lanes>* from_walls = from_walls_.found();  // of the next seat that has any
     for (std::int32_t g = groups.first; g < groups.last; ++g) {
       const NeighbourGroup& group = list_.groups()[g];
       if (beyond_cache) prefetch_for_next(p, seen, g);
@@ -147,7 +145,7 @@ class NewtonianStep final : public Dynamics {
         const auto self = seen.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
         for (int part = 0; part < Precision::parts; ++part) {
-          const Seats seats = seats_of(group, part);
+          const Seats seats = seats_of<Lanes>(group, part);
           const Loads<Lanes> widened{widened_part(loads.force, part), widened_part(loads.torque, part)};
           finish<record>(p, seats, walls_.seat(g, part), from_walls, rows.template bodies_in_line<turning>(seats.slot),
                          widened, in, recorder, sums);
@@ -155,7 +153,7 @@ class NewtonianStep final : public Dynamics {
       } else {
         const auto self = rows.template bodies_in_line<turning>(group.slot);
         const auto loads = pair_loads<record, alike>(p, seen, group, self, in, recorder, sums, result);
-        finish<record>(p, seats_of(group, 0), walls_.seat(g, 0), from_walls, self, loads, in, recorder, sums);
+        finish<record>(p, seats_of<Lanes>(group, 0), walls_.seat(g, 0), from_walls, self, loads, in, recorder, sums);
       }
     }
     sums.add_to(result, in);
@@ -163,11 +161,6 @@ class NewtonianStep final : public Dynamics {
     if (beyond_at_walls || sums.beyond_limit() || alone_sums.beyond_limit()) {
       result.sums.offence = offence_in(p, groups, in);
     }
-  }
-
-  /// Lanes of motion of a group, or of one part of it.
-  static Seats seats_of(const NeighbourGroup& group, int part) {
-    return {group.slot + part * Lanes::width, group.lanes >> (part * Lanes::width) & Seats::all<Lanes>};
   }
 
   /// Asks for what the next group will read, and for what comes soon after: the rows of neighbours lie scattered, and a
@@ -332,107 +325,6 @@ class NewtonianStep final : public Dynamics {
                                                             recorder, sums);
   }
 
-  /// What one thread needs for boundaries; kept from step to step.
-  struct alignas(64) WallSide {
-    WallContacts<Lanes> contacts;
-    std::vector<WallLoads<Lanes>> loads;  ///< of a block's seats that have rows of walls
-    std::size_t used = 0;                 ///< of loads
-  };
-  WallSide& wall_side() { return wall_sides_[static_cast<std::size_t>(omp_get_thread_num())]; }
-
-  /// Forces from boundaries on all of a block's particles, before the loop over its groups: a call in there would cost
-  /// it all its registers. Returns whether a contact is beyond the overlap limit.
-  template <bool record>
-  [[gnu::noinline]] bool wall_loads(Particles& p, std::ptrdiff_t block, const StepInput& in, Recorder* recorder) {
-    LaneSums<Lanes> sums;
-    LaneSums<simd::Scalar> alone_sums;
-    const InDouble rows(p, domain_);
-    const DoublePrecision<simd::Scalar> single_rows(p, domain_);
-    constexpr bool turning = Tangential::active;
-    const GroupBlock& groups = list_.blocks()[block];
-    WallSide& side = wall_side();
-    side.used = 0;
-    const std::size_t most = static_cast<std::size_t>(groups.last - groups.first) * Precision::parts;
-    if (side.loads.size() < most) side.loads.resize(most);
-    for (std::int32_t g = groups.first; g < groups.last; ++g) {
-      const NeighbourGroup& group = list_.groups()[g];
-      if (group.shared) {
-        if (walls_.seat(g, 0).rows == 0) continue;
-        wall_forces<record>(p, block, Seats{group.slot, 1}, walls_.seat(g, 0),
-                            single_rows.template bodies_in_line<turning>(group.slot), in, recorder, side,
-                            alone_sums.walls);
-        continue;
-      }
-      for (int part = 0; part < Precision::parts; ++part) {
-        if (walls_.seat(g, part).rows == 0) continue;
-        const Seats seats = seats_of(group, part);
-        wall_forces<record>(p, block, seats, walls_.seat(g, part), rows.template bodies_in_line<turning>(seats.slot),
-                            in, recorder, side, sums.walls);
-      }
-    }
-    sums.add_to(results_[block], in);
-    alone_sums.add_to(results_[block], in);
-    return sums.beyond_limit() || alone_sums.beyond_limit();
-  }
-
-  template <bool record, class L>
-  void wall_forces(Particles& p, std::ptrdiff_t block, const Seats& seats, const WallSeat& seat, const Bodies<L>& self,
-                   const StepInput& in, Recorder* recorder, WallSide& side, ContactSums<typename L::Real>& sums) {
-    using Real = typename L::Real;
-    WallContacts<Lanes>& contacts = side.contacts;
-    WallLoads<Lanes>& kept = side.loads[side.used++];
-    WallLoad* loads_on_walls = block_loads_.data() + static_cast<std::size_t>(block) * boundaries_.size();
-    Loads<L> loads{simd::Vector<Real>::zero(), simd::Vector<Real>::zero()};
-    const bool turns = Tangential::active && in.velocity_lag() > 0;
-    const VectorArray& then = list_.reference();
-    const simd::Vector<Real> moved =
-        self.position -
-        simd::Vector<Real>{L::load(&then.x[seats.slot]), L::load(&then.y[seats.slot]), L::load(&then.z[seats.slot])};
-    contacts.template find<L>(boundaries_, walls_, seat, seats.lanes, self, moved, in.growth.scale, forces_.range(),
-                              turns);
-    if constexpr (Forces::may_remember) {
-      if (remembers()) {
-        contacts.template pass_on<Forces::most_kept>(walls_, seat, seats.lanes, forces_.kept(), history_.walls);
-      }
-    }
-    kept.any = contacts.any_near();
-    for (int k = 0; k < seat.rows; ++k) {
-      const WallRow<Lanes>& found = contacts.row(k);
-      const std::int64_t row = seat.first_row + k;
-      if (found.near == 0) {
-        if (remembers()) history_.walls.none(row);
-        continue;
-      }
-      const WallEntry* entries = walls_.row(row);
-      const Bodies<L> wall{self.position, Real(0.0), found.velocity.template load<L>(), Real(0.0),
-                           simd::Vector<Real>::zero()};
-      const simd::Vector<Real> normal = found.normal.template load<L>();
-      const Place<L, TurnsAlong<L>> at{
-          L::mask(found.touching),           L::mask(found.near), normal, Real(1.0), L::load(found.overlap.data()),
-          {found.turning.template load<L>()}};
-      const auto who = [&](int lane) {
-        return std::pair<std::int64_t, std::int64_t>{p.id[seats.slot + lane], -1 - std::int64_t{entries[lane].body}};
-      };
-      const auto where = [&](int lane) { return p.now.rows[seats.slot + lane].position; };
-      const auto materials = [&](int lane) {
-        return std::pair{p.material[seats.slot + lane], boundaries_[entries[lane].body].material};
-      };
-      const auto laws = forces_.template laws<L>(materials, PairSize<Real>{self.inverse_mass, self.radius});
-      const simd::Vector<Real> before = loads.force;
-      forces_.template add<record, false, L>(self, wall, at, laws, history_.walls, row, who, where, in, recorder, loads,
-                                             sums, results_[block]);
-      const simd::Vector<Real> added = loads.force - before;
-      for (std::uint32_t lanes = found.near; lanes != 0; lanes &= lanes - 1) {
-        const int lane = std::countr_zero(lanes);
-        const Vec3 force = lane_of<L>(added, lane);
-        loads_on_walls[entries[lane].body].add({-force, force.dot(found.velocity.get(lane))});
-      }
-    }
-    if (!kept.any) return;
-    kept.force.template store<L>(loads.force);
-    kept.torque.template store<L>(loads.torque);
-  }
-
   /// Long enough that neighbours are less than half of it apart. A power of two, or the side of a periodic box over
   /// one: so a step of it rounds to single precision in the same way in every list, or not at all.
   Vec3 period_of_places() const {
@@ -451,11 +343,11 @@ class NewtonianStep final : public Dynamics {
   Forces forces_;
   NeighbourList list_;
   WallList walls_;
-  std::vector<WallSide> wall_sides_;                ///< one a thread
-  std::vector<WallLoad> block_loads_, wall_loads_;  ///< (blocks, boundaries); (boundaries)
   bool alike_ = false;
   std::size_t seen_ = 0;  ///< particles when it was looked
   ContactHistory<typename Precision::Number> history_;
+  WallForces<Precision, Forces, Tangential::active> from_walls_;
+  std::vector<WallLoad> wall_loads_;  ///< (boundaries)
   std::vector<BlockResult> results_;
 };
 

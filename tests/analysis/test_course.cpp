@@ -141,10 +141,12 @@ TEST_CASE("energy decay: an exponential's own time, and when it is at rest") {
   const History history = falling_energy(tau, 0.1, 50);
   const MeasureResult result = course.result(&history);
   // It rises to 0.35 at 0.35, then follows exp(-(t - 0.1)/tau), which begins at 1/e.
-  CHECK(value(result, "kinetic_peak") == Approx(1 / std::exp(1)).epsilon(0.1));
-  CHECK(value(result, "kinetic_decay_time") == Approx(tau).margin(0.06));
+  constexpr double row = 50.0 / 2000;
+  CHECK(value(result, "kinetic_peak") == Approx(std::exp(-1)));
+  CHECK(value(result, "kinetic_decay_time") == Approx(tau).margin(1.01 * row));
   const double weight = s.mass(0) * 9.8 * 0.1;
-  CHECK(value(result, "time_to_rest") == Approx(0.1 - tau * std::log(rest_threshold * weight)).margin(0.05));
+  const double late = value(result, "time_to_rest") - (0.1 - tau * std::log(rest_threshold * weight));
+  CHECK((late >= 0 && late <= 1.01 * row));
   const History shorter = falling_energy(tau, 0.1, 0.2);
   CHECK_FALSE(course.result(&shorter).quantity("time_to_rest")->value);
   CHECK_FALSE(course.result(&shorter).quantity("kinetic_decay_time")->value);

@@ -70,6 +70,23 @@ TEST_CASE("every snapshot gets clear answers") {
     std::fill(s.radius.begin(), s.radius.end(), 0.0);
     check_clear(s);
   }
+  SECTION("some radii of 0, moving") {
+    Snapshot s = cubic_bed(3, 3, 3);
+    label(s, [](int x, int, int) { return x % 2; });
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (s.position[i].z() > 2) s.radius[i] = 0;
+    }
+    s.fields["velocity"] = {3, "m/s", std::vector<double>(3 * s.size(), 0.1)};
+    check_clear(s);
+    CHECK(measured(s, "time").quantity("granular_temperature")->value);
+  }
+  SECTION("radii of 0 with stored contacts") {
+    Snapshot s = cubic_bed(3, 3, 3);
+    label(s, [](int x, int, int) { return x % 2; });
+    std::fill(s.radius.begin(), s.radius.end(), 0.0);
+    s.contacts = Contacts{{s.id[0]}, {s.id[1]}, {Vec3(0, 0, 1)}, {Vec3(0, 0, 1)}, {1e-6}, {Vec3::Zero()}, {0}};
+    check_clear(s);
+  }
   SECTION("all below the floor") {
     Snapshot s = cubic_bed(3, 3, 3);
     label(s, [](int x, int, int) { return x % 2; });
@@ -105,8 +122,11 @@ TEST_CASE("the keys are the same for every snapshot") {
 }
 
 TEST_CASE("results do not depend on the number of threads") {
-  Snapshot s = cubic_bed(6, 6, 6);
+  Snapshot s = cubic_bed(18, 18, 18);  // several blocks of every sum
   label_at_random(s, 1);
+  s.fields["velocity"] = {3, "m/s", std::vector<double>(3 * s.size())};
+  Random random(1, RandomStream::filling_position, 0);
+  for (double& v : s.fields["velocity"].values) v = random.uniform(-1, 1);
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
   const auto one = analysis::to_json(analysis::analyze(s, all_names()));

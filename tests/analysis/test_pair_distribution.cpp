@@ -93,6 +93,13 @@ TEST_CASE("an ideal gas has g = 1 at all distances, with sides and without") {
     check_ideal(d.total);
     for (const PairCurve& curve : d.partial) check_ideal(curve);
   }
+  SECTION("a window cut off from a periodic side") {
+    const Snapshot s = ideal_gas(4000, Vec3(10, 10, 10), {true, true, true}, 4);
+    const Window cut{Vec3(1, 0, 0), Vec3(9, 10, 10), {false, true, true}};
+    const auto d = pair_distribution(s, cut, s.type, 2, 0.1, 40);
+    check_ideal(d.total);
+    for (const PairCurve& curve : d.partial) check_ideal(curve);
+  }
   SECTION("references sampled") {
     const Snapshot s = ideal_gas(12000, Vec3(10, 10, 10), {true, false, true}, 3);
     const auto d = pair_distribution(s, whole(s), s.type, 2, 0.2, 25);
