@@ -38,7 +38,7 @@ install_packages() {
 build() {
   install_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
   say "configuring and building in build/"
-  cmake --preset default -DPACKSTONE_TESTS="$1"
+  cmake --preset default -DPACKSTONE_TESTS="$1" -DCMAKE_UNITY_BUILD=ON  # half the time of a build from nothing
   cmake --build build
 }
 

@@ -108,25 +108,21 @@ void analyze(const AnalyzeOptions& options) {
 
 }  // namespace
 
-void add_analyze(CLI::App& app) {
+void add_analyze(Program& program) {
   auto options = std::make_shared<AnalyzeOptions>();
-  CLI::App* verb = app.add_subcommand("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
-  verb->add_option("paths", options->paths,
-                   "Run folder, snapshot, or a file of another program; several are compared in a table");
-  verb->add_option("--only", options->only, "Measures to take, by comma; see --list [all but those that take long]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  verb->add_option("--at", options->at, "last, first, all, a number, or t=SECONDS")->capture_default_str();
-  verb->add_option("--json", options->json, "Write JSON to a file; - for standard output");
-  verb->add_option("--csv", options->csv, "Write CSV tables into a folder");
-  verb->add_option("--map", options->map, "Write the local solid fraction on a grid to FILE.vti");
-  verb->add_option("--trajectories", options->trajectories, "With --at all: ids of particles to follow, by comma")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  verb->add_flag("--list", options->list, "List the measures");
-  verb->add_flag("--quiet", options->quiet, "No text and no progress");
-  add_measure_options(*verb, options->measure);
-  verb->callback([options] { analyze(*options); });
+  Verb verb = program.add_verb("analyze", "Measure packing, structure, segregation, clusters, forces, rest");
+  verb.add("paths", options->paths,
+           "Run folder, snapshot, or a file of another program; several are compared in a table");
+  verb.add("--only", options->only, "Measures to take, by comma; see --list [all but those that take long]").by_comma();
+  verb.add("--at", options->at, "last, first, all, a number, or t=SECONDS").shows_default();
+  verb.add("--json", options->json, "Write JSON to a file; - for standard output");
+  verb.add("--csv", options->csv, "Write CSV tables into a folder");
+  verb.add("--map", options->map, "Write the local solid fraction on a grid to FILE.vti");
+  verb.add("--trajectories", options->trajectories, "With --at all: ids of particles to follow, by comma").by_comma();
+  verb.add_flag("--list", options->list, "List the measures");
+  verb.add_flag("--quiet", options->quiet, "No text and no progress");
+  add_measure_options(verb, options->measure);
+  verb.set_action([options] { analyze(*options); });
 }
 
 }  // namespace packstone::cli

@@ -101,14 +101,13 @@ void check(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
+void add_check(Program& program) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb = app.add_subcommand("check", "Tell what a scene would run: contacts, step, cost, advice; no run");
-  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
-  verb->add_option("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated")
-      ->allow_extra_args(false);
-  verb->add_flag("--json", options->json, "As JSON");
-  verb->callback([options] { check(*options); });
+  Verb verb = program.add_verb("check", "Tell what a scene would run: contacts, step, cost, advice; no run");
+  verb.add("scene", options->scene, "Scene file (TOML)").required();
+  verb.add("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated").one_at_a_time();
+  verb.add_flag("--json", options->json, "As JSON");
+  verb.set_action([options] { check(*options); });
 }
 
 }  // namespace packstone::cli

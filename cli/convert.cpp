@@ -124,28 +124,27 @@ void convert(ConvertOptions options) {
 
 }  // namespace
 
-void add_convert(CLI::App& app) {
+void add_convert(Program& program) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* verb = app.add_subcommand("convert", "Turn packings of any program into the files of another");
-  verb->add_option("paths", options->paths,
-                   fmt::format("IN... OUT. IN: a run folder, {}; several, or a pattern such as 'dump_*', are a series. "
-                               "OUT: {}",
-                               readable_formats, writable_formats));
-  verb->add_option("--like", options->like,
-                   "Scene that gives domain, materials, groups (in the order of the types), boundaries and gravity");
-  verb->add_option("--at", options->at,
-                   "last, first, all, a number, or t=SECONDS [all where OUT holds a series, else last]");
-  verb->add_option("--contacts", options->packing.contacts,
-                   "Dump of contacts (LAMMPS, LIGGGHTS), or Yade's intrs .vtp [FILE.local beside a dump FILE]");
-  verb->add_option("--contact-columns", options->contact_columns,
-                   "What the columns of the contacts are, by comma, out of id1 id2 x1 y1 z1 x2 y2 z2 fx fy fz ftx fty "
-                   "ftz, - for none of them");
-  verb->add_option("--time-step", options->packing.time_step,
-                   "Between steps of a file that has no times [s] [the scene's of --like]")
-      ->check(CLI::PositiveNumber);
-  verb->add_flag("--overwrite", options->overwrite, "Replace what is there");
-  verb->add_flag("--quiet", options->quiet, "No notes and no progress");
-  verb->callback([options] { convert(*options); });
+  Verb verb = program.add_verb("convert", "Turn packings of any program into the files of another");
+  verb.add("paths", options->paths,
+           fmt::format("IN... OUT. IN: a run folder, {}; several, or a pattern such as 'dump_*', are a series. "
+                       "OUT: {}",
+                       readable_formats, writable_formats));
+  verb.add("--like", options->like,
+           "Scene that gives domain, materials, groups (in the order of the types), boundaries and gravity");
+  verb.add("--at", options->at, "last, first, all, a number, or t=SECONDS [all where OUT holds a series, else last]");
+  verb.add("--contacts", options->packing.contacts,
+           "Dump of contacts (LAMMPS, LIGGGHTS), or Yade's intrs .vtp [FILE.local beside a dump FILE]");
+  verb.add("--contact-columns", options->contact_columns,
+           "What the columns of the contacts are, by comma, out of id1 id2 x1 y1 z1 x2 y2 z2 fx fy fz ftx fty "
+           "ftz, - for none of them");
+  verb.add("--time-step", options->packing.time_step,
+           "Between steps of a file that has no times [s] [the scene's of --like]")
+      .positive();
+  verb.add_flag("--overwrite", options->overwrite, "Replace what is there");
+  verb.add_flag("--quiet", options->quiet, "No notes and no progress");
+  verb.set_action([options] { convert(*options); });
 }
 
 }  // namespace packstone::cli

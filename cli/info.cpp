@@ -97,14 +97,14 @@ void info(const InfoOptions& options) {
 
 }  // namespace
 
-void add_info(CLI::App& app) {
+void add_info(Program& program) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* verb = app.add_subcommand("info", "Tell what a run folder or a snapshot holds");
-  verb->add_option("path", options->path, "Run folder, snapshot, or a file of another program");
-  verb->add_flag("--json", options->json, "As JSON");
-  verb->add_option("--scene-reference", options->scene_reference, "Print the reference of the scene's keys instead")
-      ->check(CLI::IsMember({"text", "markdown"}));
-  verb->callback([options] { info(*options); });
+  Verb verb = program.add_verb("info", "Tell what a run folder or a snapshot holds");
+  verb.add("path", options->path, "Run folder, snapshot, or a file of another program");
+  verb.add_flag("--json", options->json, "As JSON");
+  verb.add("--scene-reference", options->scene_reference, "Print the reference of the scene's keys instead")
+      .one_of({"text", "markdown"});
+  verb.set_action([options] { info(*options); });
 }
 
 }  // namespace packstone::cli

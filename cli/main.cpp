@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "cli/application.hpp"
+#include "cli/command_line.hpp"
 #include "cli/picture_verbs.hpp"
 #include "cli/verbs.hpp"
 
@@ -16,13 +16,13 @@ namespace {
 
 using namespace packstone::cli;
 
-void add_verbs(CLI::App& app) {
-  add_run(app);
-  add_check(app);
-  add_info(app);
-  add_analyze(app);
-  add_convert(app);
-  for (const PictureVerb& verb : picture_verbs) app.add_subcommand(verb.name, verb.description);  // for --help
+void add_verbs(Program& program) {
+  add_run(program);
+  add_check(program);
+  add_info(program);
+  add_analyze(program);
+  add_convert(program);
+  for (const PictureVerb& verb : picture_verbs) program.add_verb(verb.name, verb.description);  // for --help
 }
 
 bool draws(const std::string& verb) {
@@ -43,5 +43,5 @@ int hand_over(char** argv) {
 
 int main(int argc, char** argv) {
   if (argc > 1 && draws(argv[1])) return hand_over(argv);
-  return run_application(argc, argv, add_verbs);
+  return run_program(argc, argv, add_verbs);
 }

@@ -12,22 +12,22 @@ namespace {
 
 constexpr double right_angle = 90;  // [degrees]
 
-/// Options of one measure, under its heading in the help.
+/// Options of one kind of measures, under its heading in the help.
 class Group {
  public:
-  Group(CLI::App& verb, std::string heading) : verb_(verb), heading_(std::move(heading)) {}
+  Group(Verb& verb, std::string heading) : verb_(verb), heading_(std::move(heading)) {}
 
   template <class Value>
-  CLI::Option* add(const std::string& name, Value& value, const std::string& description) {
-    return verb_.add_option(name, value, description)->group(heading_);
+  Option add(const std::string& name, Value& value, const std::string& description) {
+    return verb_.add(name, value, description).heading(heading_);
   }
   /// Above 0; what stands for the default is in the description.
   template <class Value>
   void add_positive(const std::string& name, Value& value, const std::string& description) {
-    add(name, value, description)->check(CLI::PositiveNumber);
+    add(name, value, description).positive();
   }
   void add_flag(const std::string& name, bool& value, const std::string& description) {
-    verb_.add_flag(name, value, description)->group(heading_);
+    verb_.add_flag(name, value, description).heading(heading_);
   }
   /// One of some words.
   template <class Choice>
@@ -35,19 +35,21 @@ class Group {
                   const std::string& description) {
     std::vector<std::string> words;
     for (const auto& choice : choices) words.push_back(choice.first);
-    verb_
-        .add_option_function<std::string>(
-            name, [&value, choices](const std::string& word) { value = choices.at(word); }, description)
-        ->check(CLI::IsMember(words))
-        ->group(heading_);
+    const auto read = [&value, choices](const std::string& word) { value = choices.at(word); };
+    verb_.add_word(name, read, description).one_of(words).heading(heading_);
+  }
+  /// May be repeated.
+  void add_words(const std::string& name, std::function<void(const std::string&)> read,
+                 const std::string& description) {
+    verb_.add_words(name, std::move(read), description).heading(heading_);
   }
 
  private:
-  CLI::App& verb_;
+  Verb& verb_;
   std::string heading_;
 };
 
-void add_packing(CLI::App& verb, analysis::Options& o) {
+void add_packing(Verb& verb, analysis::Options& o) {
   Group group(verb, "Packing");
   group.add_positive("--profile-layer", o.profile_layer,
                      "Thickness of the vertical profile's layers [m] [one mean radius]");
@@ -56,34 +58,29 @@ void add_packing(CLI::App& verb, analysis::Options& o) {
   group
       .add("--interior-margin", o.interior_margin,
            "Distance of the interior from walls, floor and surface, in mean diameters weighted by volume")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  verb.add_option_function<std::vector<std::string>>(
-          "--region",
-          [&o](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) o.regions.push_back(analysis::parse_region(text));
-          },
-          "Region whose solid fraction to measure, again for more: box:x0,y0,z0,x1,y1,z1; "
-          "slab:AXIS,lower,upper; sphere:x,y,z,radius; cylinder:AXIS,u,v,lower,upper,radius; "
-          "ring:AXIS,u,v,lower,upper,inner,outer; u, v: the axis' place in the other two coordinates")
-      ->allow_extra_args(false)
-      ->group("Packing");
+      .not_negative()
+      .shows_default();
+  group.add_words(
+      "--region", [&o](const std::string& text) { o.regions.push_back(analysis::parse_region(text)); },
+      "Region whose solid fraction to measure, again for more: box:x0,y0,z0,x1,y1,z1; "
+      "slab:AXIS,lower,upper; sphere:x,y,z,radius; cylinder:AXIS,u,v,lower,upper,radius; "
+      "ring:AXIS,u,v,lower,upper,inner,outer; u, v: the axis' place in the other two coordinates");
   group.add_positive("--map-cell", o.map_cell, "Width of the map's cells [m] [one mean diameter weighted by volume]");
   group.add_flag("--voronoi-cells", o.voronoi_cells, "Measure voronoi also lists the cell of every particle");
 }
 
-void add_structure(CLI::App& verb, analysis::Options& o) {
+void add_structure(Verb& verb, analysis::Options& o) {
   Group group(verb, "Structure");
   group.add_positive("--rdf-range", o.rdf_range, "Range of the radial distribution function [m] [five mean diameters]");
   group.add_positive("--rdf-bin", o.rdf_bin, "Width of its bins [m] [a twentieth of the mean diameter]");
   group.add("--bond-cutoff", o.bond_cutoff, "Bond order: neighbours have centres nearer than so many sums of radii")
-      ->capture_default_str();
+      .shows_default();
   group.add_positive("--bond-neighbours", o.bond_neighbours,
                      "Bond order: so many nearest neighbours instead [by cut-off]");
-  group.add("--pore-points", o.pore_points, "Random points for the pore sizes")->capture_default_str();
+  group.add("--pore-points", o.pore_points, "Random points for the pore sizes").shows_default();
 }
 
-void add_segregation(CLI::App& verb, analysis::Options& o) {
+void add_segregation(Verb& verb, analysis::Options& o) {
   using analysis::AlongAxis, analysis::ShareBy;
   Group group(verb, "Segregation");
   group.add_positive("--segregation-layer", o.segregation_layer,
@@ -93,7 +90,7 @@ void add_segregation(CLI::App& verb, analysis::Options& o) {
   group
       .add("--segregation-rings", o.segregation_rings,
            "Number of rings of segregation about the axis [outermost one diameter wide]")
-      ->check(CLI::Range(2, static_cast<int>(analysis::most_layers)));
+      .between(2, static_cast<int>(analysis::most_layers));
   group.add_choice<ShareBy>("--segregation-by", o.segregation_by,
                             {{"number", ShareBy::number}, {"volume", ShareBy::volume}, {"mass", ShareBy::mass}},
                             "What shares are of [volume]");
@@ -102,7 +99,7 @@ void add_segregation(CLI::App& verb, analysis::Options& o) {
                               "Axis of the layers and rings of segregation [up]");
 }
 
-void add_clusters(CLI::App& verb, analysis::ClusterOptions& o) {
+void add_clusters(Verb& verb, analysis::ClusterOptions& o) {
   Group group(verb, "Clusters");
   group.add_positive("--cluster-gap", o.gap,
                      "Clusters of particles whose surfaces are nearer than this [m] [contacts]");
@@ -111,27 +108,27 @@ void add_clusters(CLI::App& verb, analysis::ClusterOptions& o) {
   group.add_flag("--cluster-any-type", o.any_type, "Clusters of any types, not of like ones");
 }
 
-void add_forces(CLI::App& verb, analysis::ForceOptions& o) {
+void add_forces(Verb& verb, analysis::ForceOptions& o) {
   using analysis::Kernel;
   Group group(verb, "Forces");
   group.add("--chain-threshold", o.chain_threshold, "Stress of particles in force chains, in means")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .not_negative()
+      .shows_default();
   group.add("--chain-angle", o.chain_angle, "Largest angle of a chain to its particles' stress [degrees]")
-      ->check(CLI::Range(0.0, right_angle))
-      ->capture_default_str();
+      .between(0.0, right_angle)
+      .shows_default();
   group.add_choice<Kernel>("--kernel", o.kernel, {{"lucy", Kernel::lucy}, {"gaussian", Kernel::gaussian}},
                            "Kernel of coarse-grained fields [lucy]");
   group.add_positive("--kernel-width", o.kernel_width,
                      "Standard deviation of that kernel along an axis [m] [one mean radius]");
   group.add("--community-resolution", o.resolution, "Larger values give smaller communities")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .positive()
+      .shows_default();
 }
 
 }  // namespace
 
-void add_measure_options(CLI::App& verb, analysis::Options& options) {
+void add_measure_options(Verb& verb, analysis::Options& options) {
   add_packing(verb, options);
   add_structure(verb, options);
   add_segregation(verb, options);

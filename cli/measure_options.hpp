@@ -1,13 +1,12 @@
 // Options of the measures on the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "analysis/options.hpp"
+#include "cli/command_line.hpp"
 
 namespace packstone::cli {
 
 /// options must outlive the parsing.
-void add_measure_options(CLI::App& verb, analysis::Options& options);
+void add_measure_options(Verb& verb, analysis::Options& options);
 
 }  // namespace packstone::cli

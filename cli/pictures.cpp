@@ -11,15 +11,14 @@
 
 namespace packstone::cli {
 
-void add_picture_options(CLI::App& verb, PictureCall& call) {
-  verb.add_option("--size", call.size, "Width and height in pixels")->capture_default_str();
-  verb.add_option("--color", call.color, "type, material, radius, speed, or a field of the snapshot")
-      ->capture_default_str();
-  verb.add_option("--range", call.range, "LOW:HIGH of the colour scale, SI");
-  verb.add_option("--title", call.title, "Title [the run's]; - for none");
-  verb.add_option("--supersampling", call.supersampling, "Every pixel is the mean of so many squared")
-      ->check(CLI::Range(1, 4))
-      ->capture_default_str();
+void add_picture_options(Verb& verb, PictureCall& call) {
+  verb.add("--size", call.size, "Width and height in pixels").shows_default();
+  verb.add("--color", call.color, "type, material, radius, speed, or a field of the snapshot").shows_default();
+  verb.add("--range", call.range, "LOW:HIGH of the colour scale, SI");
+  verb.add("--title", call.title, "Title [the run's]; - for none");
+  verb.add("--supersampling", call.supersampling, "Every pixel is the mean of so many squared")
+      .between(1, 4)
+      .shows_default();
 }
 
 std::pair<int, int> picture_size(const std::string& text) {

@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "core/run_folder.hpp"
 #include "viz/image.hpp"
 
@@ -20,7 +19,7 @@ struct PictureCall {
   int supersampling = 2;
 };
 
-void add_picture_options(CLI::App& verb, PictureCall& call);
+void add_picture_options(Verb& verb, PictureCall& call);
 
 /// Width and height of "WxH" [px]. Throws InputError.
 std::pair<int, int> picture_size(const std::string& text);

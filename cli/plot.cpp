@@ -53,17 +53,14 @@ void plot(const PlotOptions& options) {
 
 }  // namespace
 
-void add_plot(CLI::App& app) {
+void add_plot(Program& program) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* verb = app.add_subcommand(plot_verb.name, plot_verb.description);
-  verb->add_option("paths", options->paths, "Run folders")->required();
-  verb->add_option("--what", options->what, "Charts, by comma: " + joined(chart_names()))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required();
-  verb->add_option("-o,--output", options->output, "x.png or x.svg; a folder for several charts")->required();
-  verb->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-  verb->callback([options] { plot(*options); });
+  Verb verb = program.add_verb(plot_verb.name, plot_verb.description);
+  verb.add("paths", options->paths, "Run folders").required();
+  verb.add("--what", options->what, "Charts, by comma: " + joined(chart_names())).by_comma().required();
+  verb.add("-o,--output", options->output, "x.png or x.svg; a folder for several charts").required();
+  verb.add("--size", options->size, "Width and height in pixels").shows_default();
+  verb.set_action([options] { plot(*options); });
 }
 
 }  // namespace packstone::cli

@@ -109,20 +109,18 @@ void render(const RenderOptions& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
+void add_render(Program& program) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* verb = app.add_subcommand(render_verb.name, render_verb.description);
-  verb->add_option("path", options->path, "Run folder, snapshot, or a file of another program")->required();
-  verb->add_option("-o,--output", options->output, "x.png, x.mp4, x.gif, or a folder for frames")->required();
-  verb->add_option("--camera", options->camera, "iso, front, back, left, right, top or bottom")->capture_default_str();
-  verb->add_option("--at", options->at, "Of a picture: last, first, a number, or t=SECONDS")->capture_default_str();
-  verb->add_option("--frames", options->frames, "Of a film: FIRST:LAST:STRIDE [all]");
-  verb->add_option("--rate", options->rate, "Frames a second of a film")
-      ->check(CLI::Range(1, 120))
-      ->capture_default_str();
-  add_picture_options(*verb, options->picture);
-  verb->add_flag("--quiet", options->quiet, "No progress");
-  verb->callback([options] { render(*options); });
+  Verb verb = program.add_verb(render_verb.name, render_verb.description);
+  verb.add("path", options->path, "Run folder, snapshot, or a file of another program").required();
+  verb.add("-o,--output", options->output, "x.png, x.mp4, x.gif, or a folder for frames").required();
+  verb.add("--camera", options->camera, "iso, front, back, left, right, top or bottom").shows_default();
+  verb.add("--at", options->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
+  verb.add("--frames", options->frames, "Of a film: FIRST:LAST:STRIDE [all]");
+  verb.add("--rate", options->rate, "Frames a second of a film").between(1, 120).shows_default();
+  add_picture_options(verb, options->picture);
+  verb.add_flag("--quiet", options->quiet, "No progress");
+  verb.set_action([options] { render(*options); });
 }
 
 }  // namespace packstone::cli

@@ -280,12 +280,12 @@ void report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app) {
+void add_report(Program& program) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* verb = app.add_subcommand(report_verb.name, report_verb.description);
-  verb->add_option("paths", options->paths, "Run folders, or a file of a packing")->required();
-  verb->add_option("-o,--output", options->output, "x.html")->required();
-  verb->callback([options] { report(*options); });
+  Verb verb = program.add_verb(report_verb.name, report_verb.description);
+  verb.add("paths", options->paths, "Run folders, or a file of a packing").required();
+  verb.add("-o,--output", options->output, "x.html").required();
+  verb.set_action([options] { report(*options); });
 }
 
 }  // namespace packstone::cli

@@ -55,19 +55,17 @@ void run(const RunOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app) {
+void add_run(Program& program) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* verb = app.add_subcommand("run", "Simulate a scene into a run folder");
-  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
-  verb->add_option("-o,--output", options->folder, "Run folder [runs/NAME of the scene's folder]");
-  verb->add_option("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated")
-      ->allow_extra_args(false);
-  verb->add_option("--threads", options->threads, "Threads [all cores]; the result does not depend on it")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--overwrite", options->overwrite, "Replace an earlier run in the folder");
-  verb->add_flag("--quiet", options->quiet, "No progress");
-  verb->footer("Keys of the scene, to be set in the file or by --set:\n\n" + scene_reference_text());
-  verb->callback([options] { run(*options); });
+  Verb verb = program.add_verb("run", "Simulate a scene into a run folder");
+  verb.add("scene", options->scene, "Scene file (TOML)").required();
+  verb.add("-o,--output", options->folder, "Run folder [runs/NAME of the scene's folder]");
+  verb.add("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated").one_at_a_time();
+  verb.add("--threads", options->threads, "Threads [all cores]; the result does not depend on it").between(1, 1024);
+  verb.add_flag("--overwrite", options->overwrite, "Replace an earlier run in the folder");
+  verb.add_flag("--quiet", options->quiet, "No progress");
+  verb.set_footer("Keys of the scene, to be set in the file or by --set:\n\n" + scene_reference_text());
+  verb.set_action([options] { run(*options); });
 }
 
 }  // namespace packstone::cli

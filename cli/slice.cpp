@@ -38,16 +38,16 @@ void slice(const SliceCall& call) {
 
 }  // namespace
 
-void add_slice(CLI::App& app) {
+void add_slice(Program& program) {
   auto call = std::make_shared<SliceCall>();
   call->picture.size = "1600x1200";
-  CLI::App* verb = app.add_subcommand(slice_verb.name, slice_verb.description);
-  verb->add_option("path", call->path, "Run folder, snapshot, or a file of another program")->required();
-  verb->add_option("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"")->required();
-  verb->add_option("-o,--output", call->output, "x.png or x.svg")->required();
-  verb->add_option("--at", call->at, "last, first, a number, or t=SECONDS")->capture_default_str();
-  add_picture_options(*verb, call->picture);
-  verb->callback([call] { slice(*call); });
+  Verb verb = program.add_verb(slice_verb.name, slice_verb.description);
+  verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
+  verb.add("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"").required();
+  verb.add("-o,--output", call->output, "x.png or x.svg").required();
+  verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
+  add_picture_options(verb, call->picture);
+  verb.set_action([call] { slice(*call); });
 }
 
 }  // namespace packstone::cli

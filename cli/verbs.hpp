@@ -1,18 +1,18 @@
 // The verbs of the command, one file each. Each adds a subcommand to the application.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command_line.hpp"
 
 namespace packstone::cli {
 
-void add_run(CLI::App& app);
-void add_check(CLI::App& app);
-void add_info(CLI::App& app);
-void add_analyze(CLI::App& app);
-void add_convert(CLI::App& app);
-void add_render(CLI::App& app);
-void add_slice(CLI::App& app);
-void add_plot(CLI::App& app);
-void add_report(CLI::App& app);
+void add_run(Program& program);
+void add_check(Program& program);
+void add_info(Program& program);
+void add_analyze(Program& program);
+void add_convert(Program& program);
+void add_render(Program& program);
+void add_slice(Program& program);
+void add_plot(Program& program);
+void add_report(Program& program);
 
 }  // namespace packstone::cli

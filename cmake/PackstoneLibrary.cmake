@@ -10,7 +10,7 @@ if(PACKSTONE_NATIVE)
   endif()
 endif()
 
-# Read once a target rather than by each file: half the time of a build goes into them.
+# Read once rather than by each file: half the time of a build would go into them.
 set(PACKSTONE_COMMON_HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <functional> <map> <optional> <string> <vector>
     <fmt/format.h>)
 
@@ -18,8 +18,11 @@ set(PACKSTONE_COMMON_HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <function
 # that all parts share. Headers are included as "NAME/header.hpp", from the source tree and from an installation alike.
 function(packstone_compile_settings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
-  # GCC 12 reports -Wrestrict on correct std::string code (GCC bug 105651).
-  target_compile_options(${target} PRIVATE -Wno-restrict)
+  # GCC 12 reports these on every "text" + std::string (GCC bugs 105651 and 105329).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
+                                             -Wno-array-bounds)
+  endif()
   if(PACKSTONE_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -32,15 +35,33 @@ function(packstone_compile_settings target)
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
 endfunction()
 
+# packstone_headers(TARGET HEADERS...) makes a target that precompiles the headers, for others to take by
+# packstone_take_headers. The compiler takes them only where its options are the same, so they are made so here.
+function(packstone_headers target)
+  add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  packstone_headers_settings(${target})
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()
+
+function(packstone_headers_settings target)
+  packstone_compile_settings(${target})
+  target_compile_options(${target} PRIVATE -fPIC)  # for programs, too, to which CMake would give -fPIE
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen OpenMP::OpenMP_CXX fmt::fmt)
+endfunction()
+
+function(packstone_take_headers target from)
+  packstone_headers_settings(${target})
+  target_precompile_headers(${target} REUSE_FROM ${from})
+endfunction()
+
 function(packstone_library name)
   add_library(packstone_${name} STATIC ${ARGN})
   add_library(packstone::${name} ALIAS packstone_${name})
-  set_target_properties(packstone_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(packstone_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(packstone_${name} PUBLIC cxx_std_20)
   target_include_directories(packstone_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/packstone>)
-  packstone_compile_settings(packstone_${name})
-  target_precompile_headers(packstone_${name} PRIVATE ${PACKSTONE_COMMON_HEADERS})
+  packstone_take_headers(packstone_${name} packstone_headers)
   set_property(GLOBAL APPEND PROPERTY PACKSTONE_LIBRARIES packstone_${name})
 endfunction()

@@ -9,7 +9,7 @@ namespace packstone {
 namespace {
 
 /// A TOML basic string.
-std::string quoted(const std::string& text) {
+std::string toml_text(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -49,10 +49,10 @@ void OptionWriter::integer(const OptionInfo& info, std::optional<std::int64_t>& 
 
 void OptionWriter::boolean(const OptionInfo& info, bool& value) { line(info, value ? "true" : "false"); }
 
-void OptionWriter::text(const OptionInfo& info, std::string& value, Presence) { line(info, quoted(value)); }
+void OptionWriter::text(const OptionInfo& info, std::string& value, Presence) { line(info, toml_text(value)); }
 
 void OptionWriter::text(const OptionInfo& info, std::optional<std::string>& value) {
-  if (value) line(info, quoted(*value));
+  if (value) line(info, toml_text(*value));
 }
 
 void OptionWriter::vector(const OptionInfo& info, Vec3& value, Presence) { line(info, vector_text(value)); }
@@ -62,16 +62,19 @@ void OptionWriter::vector(const OptionInfo& info, std::optional<Vec3>& value) {
 }
 
 void OptionWriter::number_or(const OptionInfo& info, const char* word, std::optional<double>& value) {
-  line(info, value ? fmt::format("{}", *value) : quoted(word));
+  line(info, value ? fmt::format("{}", *value) : toml_text(word));
 }
 
 void OptionWriter::numbers(const OptionInfo& info, std::vector<double>& value) {
-  if (!value.empty()) line(info, fmt::format("[{}]", fmt::join(value, ", ")));
+  if (value.empty()) return;
+  std::vector<std::string> words;
+  for (const double number : value) words.push_back(fmt::format("{}", number));
+  line(info, "[" + joined(words) + "]");
 }
 
 void OptionWriter::texts(const OptionInfo& info, std::vector<std::string>& value) {
   std::vector<std::string> all;
-  for (const std::string& text : value) all.push_back(quoted(text));
+  for (const std::string& text : value) all.push_back(toml_text(text));
   if (!all.empty()) line(info, "[" + joined(all) + "]");
 }
 
@@ -96,12 +99,12 @@ void OptionWriter::number_or_table(const OptionInfo& info, std::optional<double>
 
 void OptionWriter::choices(const OptionInfo& info, const ChoiceNames& names, std::vector<int>& value) {
   std::vector<std::string> words;
-  for (int index : value) words.push_back(quoted(names[index]));
+  for (int index : value) words.push_back(toml_text(names[index]));
   line(info, "[" + joined(words) + "]");
 }
 
 void OptionWriter::choice_index(const OptionInfo& info, const ChoiceNames& names, int& index, Presence) {
-  line(info, quoted(names[index]));
+  line(info, toml_text(names[index]));
 }
 
 void OptionWriter::table(const OptionInfo& info, Presence, const std::function<void()>& describe) {

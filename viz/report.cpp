@@ -111,7 +111,7 @@ class Page {
  private:
   template <typename... Arguments>
   void add(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
+    text_ += fmt::format(form, std::forward<Arguments>(arguments)...);
   }
 
   void contents(const Report& report) {

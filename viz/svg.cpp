@@ -14,7 +14,7 @@ std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, 
 
 std::string coordinates(const std::vector<Point>& points) {
   std::string text;
-  for (const Point& p : points) fmt::format_to(std::back_inserter(text), "{:.2f},{:.2f} ", p.x, p.y);
+  for (const Point& p : points) text += fmt::format("{:.2f},{:.2f} ", p.x, p.y);
   if (!text.empty()) text.pop_back();
   return text;
 }
@@ -29,7 +29,9 @@ std::string stroke_text(const std::optional<Stroke>& stroke) {
   if (!stroke) return "";
   std::string text = fmt::format(" stroke='{}' stroke-width='{:.3g}'", hex(stroke->colour), stroke->width);
   if (!stroke->dashes.empty()) {
-    text += fmt::format(" stroke-dasharray='{:.3g}'", fmt::join(stroke->dashes, " "));
+    text += " stroke-dasharray='";
+    for (const double dash : stroke->dashes) text += fmt::format("{:.3g} ", dash);
+    text.back() = '\'';
   }
   return text;
 }
@@ -86,7 +88,7 @@ class Writer {
  private:
   template <typename... Arguments>
   void add(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(out_), form, std::forward<Arguments>(arguments)...);
+    out_ += fmt::format(form, std::forward<Arguments>(arguments)...);
     out_ += '\n';
   }
 

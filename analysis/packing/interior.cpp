@@ -11,9 +11,9 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double surface_square = 2;  // diameters; narrower ones may hold no sphere of the surface
-constexpr double upright = 1e-9;      // component along up of a normal below which a plane has no height
-constexpr double rounding = 1e-9;     // of the margin
+constexpr double surface_square = 2;      // diameters; narrower ones may hold no sphere of the surface
+constexpr double level_normal = 1e-9;     // component along up of a normal below which a plane has no height
+constexpr double margin_rounding = 1e-9;  // of the margin
 
 struct Heights {
   double lower, upper;  // above the floor [m]
@@ -83,9 +83,9 @@ bool keep_from_plane(Heights& h, const Bed& bed, const BoundaryRecord& plane) {
   // The plane's normal times x, with the coordinate along up counted from the floor.
   const double floor_part = plane.normal[bed.frame.axis] * bed.frame.floor;
   const double missing = plane.normal.dot(plane.point) + bed.margin - sideways - floor_part;
-  if (along > upright) h.lower = std::max(h.lower, missing / along);
-  if (along < -upright) h.upper = std::min(h.upper, missing / along);
-  return std::abs(along) > upright || missing <= rounding * bed.margin;
+  if (along > level_normal) h.lower = std::max(h.lower, missing / along);
+  if (along < -level_normal) h.upper = std::min(h.upper, missing / along);
+  return std::abs(along) > level_normal || missing <= margin_rounding * bed.margin;
 }
 
 BoxRegion box_about(const std::vector<Vec3>& points) {
@@ -99,9 +99,9 @@ BoxRegion box_about(const std::vector<Vec3>& points) {
 
 /// Whether an upright cylinder or box stands about the whole column, so that its sides are behind the container's.
 bool encloses(const BoundaryRecord& boundary, const BoxRegion& about, const Bed& bed) {
-  if (std::abs(boundary.axis[bed.frame.axis]) < 1 - upright) return false;
+  if (std::abs(boundary.axis[bed.frame.axis]) < 1 - level_normal) return false;
   const BoxRegion column = bounds(bed.column(0, {0, 1}));
-  const double slack = rounding * bed.margin;
+  const double slack = margin_rounding * bed.margin;
   const double radius = boundary.kind == "cylinder" ? std::sqrt(boundary.cross_section / std::numbers::pi) : 0;
   double corner = 0;  // distance of the column's farthest corner from the boundary's middle, squared
   for (int k = 0; k < 3; ++k) {

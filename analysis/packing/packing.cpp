@@ -14,7 +14,7 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double most_blocks = 10;  // of the bulk, for the uncertainty
+constexpr double error_blocks = 10;  // of the bulk, for the uncertainty
 
 const char* const fraction_definition =
     "solid volume (exact sphere slabs, overlaps counted twice) between 10 % and 80 % of bed_height above the floor, "
@@ -36,7 +36,7 @@ struct Slab {
 /// Standard error of the fraction over blocks of the slab; none when it is too thin for two.
 std::optional<double> fraction_error(const Snapshot& snapshot, const Context& context, const Slab& slab) {
   const double thickness = slab.upper - slab.lower;
-  const double blocks = std::min(most_blocks, std::floor(thickness / (2 * context.mean_radius)));
+  const double blocks = std::min(error_blocks, std::floor(thickness / (2 * context.mean_radius)));
   if (!(blocks >= 2)) return std::nullopt;
   const Layers layers{.bottom = slab.lower,
                       .thickness = thickness / blocks,

@@ -17,7 +17,7 @@ namespace packstone::analysis {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;  // of the domain's length: by so much a region may exceed a periodic side
+constexpr double side_rounding = 1e-9;  // of the domain's length: by so much a region may exceed a periodic side
 
 /// Kinds with what follows the colon.
 const std::map<std::string, std::string> kinds = {
@@ -144,7 +144,7 @@ RegionShape clipped(const NamedRegion& region, const Domain& domain) {
     const double length = domain.size()[k];
     const bool endless = !std::isfinite(box.min[k]);
     if (domain.periodic[k] && !endless) {
-      if (box.max[k] - box.min[k] > length * (1 + rounding)) fail("is longer than the periodic domain", k);
+      if (box.max[k] - box.min[k] > length * (1 + side_rounding)) fail("is longer than the periodic domain", k);
       continue;
     }
     const double lower = std::max(box.min[k], domain.min[k]), upper = std::min(box.max[k], domain.max[k]);

@@ -9,7 +9,7 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Of the unit sphere beyond a plane at a signed distance from its centre.
 double beyond(double a) { return sphere_volume_below(1, -a); }

@@ -10,7 +10,7 @@ namespace packstone::analysis {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rule_points = 16;
 constexpr double rule_rounding = 1e-15;  // of a zero of Legendre's polynomial
 constexpr double wide_layer = 0.5;       // angle; a steeper change at the arc's end takes panels of its own

@@ -27,11 +27,11 @@ struct Shells {
   double fraction(std::size_t k) const { return solid[k] / volume[k]; }
 };
 
-struct Heights {
+struct Span {
   double lower, upper;  // coordinates along up [m]
 };
 
-Heights profile_heights(const Context& context) {
+Span profile_heights(const Context& context) {
   const BedFrame& frame = context.frame;
   const double low = frame.periodic ? 0 : bulk_lower * context.bed.height;
   const double high = frame.periodic ? frame.extent : bulk_upper * context.bed.height;

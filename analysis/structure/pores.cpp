@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t point_seed = 20260102;  // fixed: the same packing gives the same numbers
 constexpr double bins_a_radius = 20;            // of the distribution, a mean radius
-constexpr double most_bins = 1000;
+constexpr double most_pore_bins = 1000;
 
 struct PoreQuantities {
   Quantity mean, median, largest, void_share;
@@ -85,7 +85,7 @@ Table distribution(const std::vector<double>& ascending, double mean_radius) {
                           {"error", "1/m"},
                           {"share_above_lower"}}};
   if (ascending.empty()) return table;
-  const double width = std::max(mean_radius / bins_a_radius, ascending.back() / most_bins);
+  const double width = std::max(mean_radius / bins_a_radius, ascending.back() / most_pore_bins);
   const auto bins = static_cast<std::size_t>(ascending.back() / width) + 1;
   std::vector<double> points(bins, 0.0);
   for (const double r : ascending) ++points[static_cast<std::size_t>(r / width)];

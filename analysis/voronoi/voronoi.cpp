@@ -15,7 +15,7 @@ namespace packstone::analysis {
 namespace {
 
 /// Cells that sum up to the container's volume within this share fill it.
-constexpr double rounding = 1e-9;
+constexpr double face_rounding = 1e-9;
 
 /// Smallest possible cell of a sphere among equal ones, over its diameter cubed: the regular dodecahedron around it
 /// (Hales & McLaughlin, J. Am. Math. Soc. 23 (2010) 299).
@@ -101,7 +101,7 @@ void add_volumes(MeasureResult& result, const CellContainer* container, const Ra
   double sum = 0;
   for (double v : cells.volume) sum += v;
   error.value = (sum - cells.container_volume) / cells.container_volume;
-  if (std::abs(*error.value) > rounding) {
+  if (std::abs(*error.value) > face_rounding) {
     error.note = fmt::format(
         "the cells do not fill the container: voro++ lost or miscut some ({:.0f} particles have no "
         "cell)",
@@ -159,7 +159,7 @@ std::string set_gamma_shape(Quantity& shape, const WholeCells& cells) {
   if (!(*largest > 0)) return "all radii are 0";
   if (*largest > *smallest * (1 + 3 * equal_radii)) return "the radii differ";
   const Spread volume = spread_of(cells.volume);
-  if (!(volume.deviation > rounding * volume.mean)) return "the cells do not differ";
+  if (!(volume.deviation > face_rounding * volume.mean)) return "the cells do not differ";
   const double diameter_cubed = *largest * 6 / std::numbers::pi;
   const double free_volume = volume.mean - smallest_cell * diameter_cubed;
   if (!(free_volume > 0)) return "the cells are smaller than those of spheres without overlap";

@@ -15,6 +15,11 @@ TextOutput::TextOutput(const std::filesystem::path& path, bool append)
   if (!file_) throw RunError(path.string() + ": cannot be written: " + std::strerror(errno));
 }
 
+void TextOutput::print_values(fmt::string_view format, fmt::format_args values) {
+  fmt::vformat_to(fmt::appender(buffer_), format, values);
+  if (buffer_.size() > flush_bytes) flush();
+}
+
 void TextOutput::flush() {
   file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   buffer_.clear();

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,7 @@ class TextOutput {
 
   template <class... Values>
   void print(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Values>(values)...);
-    if (buffer_.size() > flush_bytes) flush();
+    print_values(format, fmt::make_format_args(values...));
   }
   /// Bytes as they are.
   void raw(const void* bytes, std::size_t count);
@@ -36,6 +34,7 @@ class TextOutput {
  private:
   static constexpr std::size_t flush_bytes = 1 << 20;
 
+  void print_values(fmt::string_view format, fmt::format_args values);
   void flush();
 
   std::filesystem::path path_;

@@ -15,16 +15,16 @@ constexpr double rounding = 1e-9;          ///< of lengths, as a share of the su
 constexpr double flat_cosine = 1 - 1e-9;   ///< sides of triangles that lie in one plane within 5e-5 rad are no edges
 constexpr double polygon_flatness = 1e-3;  ///< of a polygon, as a share of its size
 
-using Side = std::array<std::int32_t, 2>;
+using TriangleSide = std::array<std::int32_t, 2>;
 
-Side side_of(const std::array<std::int32_t, 3>& triangle, int k) {
+TriangleSide side_of(const std::array<std::int32_t, 3>& triangle, int k) {
   const std::int32_t a = triangle[k], b = triangle[(k + 1) % 3];
   return {std::min(a, b), std::max(a, b)};
 }
 
 /// The triangles at each side.
-std::map<Side, std::vector<std::int32_t>> triangles_at_sides(const TriangleSurface& surface) {
-  std::map<Side, std::vector<std::int32_t>> at;
+std::map<TriangleSide, std::vector<std::int32_t>> triangles_at_sides(const TriangleSurface& surface) {
+  std::map<TriangleSide, std::vector<std::int32_t>> at;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) at[side_of(surface.triangles[t], k)].push_back(static_cast<std::int32_t>(t));
   }
@@ -41,7 +41,7 @@ TrianglePiece triangle_piece(const TriangleSurface& s, const std::array<std::int
   piece.normal = area_vector(s, t).normalized();
   for (int k = 0; k < 3; ++k) {
     // From the same ends for both triangles at a side.
-    const Side side = side_of(t, k);
+    const TriangleSide side = side_of(t, k);
     const Vec3 along = (s.points[side[1]] - s.points[side[0]]).normalized();
     Vec3 outward = along.cross(piece.normal).normalized();
     if (outward.dot(s.points[t[(k + 2) % 3]] - s.points[side[0]]) > 0) outward = -outward;
@@ -136,7 +136,7 @@ Shape flat_shape(const TriangleSurface& surface) {
     triangles.push_back(triangle_piece(surface, t));
     shape.pieces.emplace_back(triangles.back());
   }
-  std::map<std::int32_t, std::vector<Side>> sides_at_corner;
+  std::map<std::int32_t, std::vector<TriangleSide>> sides_at_corner;
   std::map<std::int32_t, bool> sharp;  // whether an edge ends at the corner
   for (const auto& [side, at] : triangles_at_sides(surface)) {
     std::vector<HalfSpace> slabs;
@@ -161,7 +161,7 @@ Shape flat_shape(const TriangleSurface& surface) {
     if (!sharp[corner]) continue;
     const Vec3& point = surface.points[corner];
     const auto first = static_cast<std::int32_t>(shape.slabs.size());
-    for (const Side& side : sides) {
+    for (const TriangleSide& side : sides) {
       const Vec3 along = (surface.points[side[side[0] == corner ? 1 : 0]] - point).normalized();
       shape.slabs.push_back({along, along.dot(point)});
     }

@@ -14,7 +14,7 @@ namespace packstone::engine {
 
 namespace {
 
-constexpr int most_trials = 20000;  ///< for one particle
+constexpr int most_tries = 20000;  ///< for one particle
 
 }  // namespace
 
@@ -31,7 +31,7 @@ StartingState randomly_placed_particles(const Scene& scene, const Domain& domain
     const double radius = start.radius[id];
     Random random(static_cast<std::uint64_t>(scene.seed), RandomStream::filling_position, id);
     bool found = false;
-    for (int trial = 0; trial < most_trials && !found; ++trial) {
+    for (int trial = 0; trial < most_tries && !found; ++trial) {
       Vec3 p;
       for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(region.min[axis], region.max[axis]);
       found = placed.touches_none(p, radius) && has_room(p, radius, region, domain, boundaries);

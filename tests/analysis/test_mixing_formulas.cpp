@@ -39,7 +39,7 @@ RandomReference random_arrangements(const Snapshot& s, double thickness) {
   return mixing_numbers(mixed_bed(s, context)).random[index_of(layers_part, variance)];
 }
 
-constexpr double sigmas = 4;
+constexpr double most_sigmas = 4;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ TEST_CASE("random labels: the mean of s^2 is the formula's, cut particles and al
   const Sample random = sample_of(s, thickness);
   REQUIRE_FALSE(random.linked);
   const Moments m = moments(observed);
-  CHECK(std::abs(m.mean - random.expected) < sigmas * m.error);
+  CHECK(std::abs(m.mean - random.expected) < most_sigmas * m.error);
   const RandomReference arranged = random_arrangements(s, thickness);
   CHECK(arranged.mean == Approx(m.mean).epsilon(0.1));
   CHECK(arranged.deviation == Approx(m.deviation).epsilon(0.25));
@@ -74,7 +74,7 @@ TEST_CASE("random labels: every layer spreads as the formula says") {
     squares.push_back(off * off / sample.variance[2]);
   }
   const Moments m = moments(squares);
-  CHECK(std::abs(m.mean - 1) < sigmas * m.error);
+  CHECK(std::abs(m.mean - 1) < most_sigmas * m.error);
 }
 
 TEST_CASE("random labels: Lacey's index is 1 on average, within its own spread") {
@@ -87,7 +87,7 @@ TEST_CASE("random labels: Lacey's index is 1 on average, within its own spread")
     z.push_back(value(result, "lacey_z"));
   }
   const Moments index = moments(lacey), score = moments(z);
-  CHECK(std::abs(index.mean - 1) < sigmas * index.error);
+  CHECK(std::abs(index.mean - 1) < most_sigmas * index.error);
   CHECK(std::abs(score.mean) < 0.5);
   CHECK(score.deviation == Approx(1).epsilon(0.3));
 }

@@ -17,7 +17,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 analysis::Options with_regions(const std::vector<std::string>& texts) {
   analysis::Options options;

@@ -11,7 +11,7 @@
 
 namespace packstone::fixtures {
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Columns of table "cells".
 enum Column { id_column, type_column, volume_column, fraction_column, faces_column, state_column };

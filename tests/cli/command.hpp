@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include <sys/wait.h>
@@ -13,6 +14,9 @@ struct Result {
   int exit_code = -1;
   std::string output;  ///< standard output and standard error together
 };
+
+/// A path as one word of a shell's line.
+inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 /// What a shell makes of the line.
 inline Result shell(const std::string& line) {

@@ -17,6 +17,7 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using testing::file_scene;
 using testing::packstone_command;
+using testing::quoted;
 using testing::small_scene;
 using testing::small_scene_with;
 using testing::TemporaryFolder;
@@ -24,8 +25,6 @@ using testing::TemporaryFolder;
 namespace {
 
 bool one_line(const std::string& text) { return std::count(text.begin(), text.end(), '\n') == 1; }
-
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 }  // namespace
 

@@ -16,13 +16,12 @@ using namespace packstone;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using testing::packstone_command;
+using testing::quoted;
 using testing::TemporaryFolder;
 
 namespace {
 
 const std::filesystem::path peers = PACKSTONE_SOURCE_DIR "/tests/data/peers";
-
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 }  // namespace
 

@@ -19,7 +19,7 @@ using packstone::testing::TemporaryFolder;
 
 namespace {
 
-constexpr double g = 9.8, radius = 0.02;
+constexpr double g = 9.8, ball_radius = 0.02;
 const std::string smooth = "normal = \"linear\"\n", rough = "normal = \"linear\"\ntangential = \"cundall-strack\"\n";
 const std::string elastic = "restitution = 1\n", lossy = "restitution = 0.3\n",
                   grips = "restitution = 0.3\nfriction = 0.8\ntangential_stiffness = 1e6\n";
@@ -41,9 +41,10 @@ const std::string other_floors[] = {
 std::vector<Vec3> thrown(const std::string& floor, bool friction) {
   const Scene scene = friction ? contact_scene(rough, grips, false, boundary(floor))
                                : contact_scene(smooth, lossy, false, boundary(floor));
-  HandMade run(scene,
-               {{Vec3(0.3, 0.31, 0.15), Vec3(0.8, 0.7, -0.5), radius}, {Vec3(0.5, 0.5, 0.12), Vec3::Zero(), radius}},
-               1e-5, ContactVelocity::half_step);
+  HandMade run(
+      scene,
+      {{Vec3(0.3, 0.31, 0.15), Vec3(0.8, 0.7, -0.5), ball_radius}, {Vec3(0.5, 0.5, 0.12), Vec3::Zero(), ball_radius}},
+      1e-5, ContactVelocity::half_step);
   run.input.gravity = Vec3(0, 0, -g);
   for (int n = 0; n < 40000; ++n) run.step();
   return {run.position(0), run.position(1)};
@@ -66,23 +67,23 @@ TEST_CASE("a floor is a floor in whatever shape it is given") {
 TEST_CASE("a sphere over a side or corner that triangles share has one contact") {
   const Scene scene = contact_scene(smooth, elastic, false, boundary(other_floors[2]));
   const double x = GENERATE(0.5, 0.375, 0.6);  // a corner of four cells, a side, a face
-  HandMade run(scene, {{Vec3(x, 0.5, 0.1 + 0.99 * radius), Vec3::Zero(), radius}}, 1e-6);
+  HandMade run(scene, {{Vec3(x, 0.5, 0.1 + 0.99 * ball_radius), Vec3::Zero(), ball_radius}}, 1e-6);
   Recorder recorder;
   recorder.want_contacts = true;
   recorder.velocity.resize(1);
   recorder.force.resize(1);
   run.step(&recorder);
   REQUIRE(recorder.contacts.size() == 1);
-  CHECK(recorder.contacts.force[0].z() == Approx(1e6 * 0.01 * radius).epsilon(1e-9));
-  CHECK(recorder.contacts.point[0].z() == Approx(0.1 - 0.5 * 0.01 * radius).epsilon(1e-9));
-  CHECK(run.dynamics->wall_loads()[0].force.z() == Approx(-1e6 * 0.01 * radius).epsilon(1e-9));
+  CHECK(recorder.contacts.force[0].z() == Approx(1e6 * 0.01 * ball_radius).epsilon(1e-9));
+  CHECK(recorder.contacts.point[0].z() == Approx(0.1 - 0.5 * 0.01 * ball_radius).epsilon(1e-9));
+  CHECK(run.dynamics->wall_loads()[0].force.z() == Approx(-1e6 * 0.01 * ball_radius).epsilon(1e-9));
 }
 
 TEST_CASE("a sphere that rolls off an edge goes round it with its energy") {
   // A table that ends at x = 0.5: frictionless and elastic, the sphere falls round the edge and swings free of it.
   const std::string table = "kind = \"polygons\"\npolygons = [[[0,0,0.5],[0.5,0,0.5],[0.5,1,0.5],[0,1,0.5]]]\n";
   const Scene scene = contact_scene(smooth, elastic, false, boundary(table));
-  HandMade run(scene, {{Vec3(0.45, 0.5, 0.5 + radius), Vec3(0.1, 0, 0), radius}}, 2e-6);
+  HandMade run(scene, {{Vec3(0.45, 0.5, 0.5 + ball_radius), Vec3(0.1, 0, 0), ball_radius}}, 2e-6);
   run.input.gravity = Vec3(0, 0, -g);
   const double m = run.mass(0);
   double least = 1;
@@ -90,13 +91,13 @@ TEST_CASE("a sphere that rolls off an edge goes round it with its energy") {
     run.step();
     if (run.position(0).x() > 0.5) least = std::min(least, (run.position(0) - Vec3(0.5, 0.5, 0.5)).norm());
   }
-  CHECK(least > 0.98 * radius);
+  CHECK(least > 0.98 * ball_radius);
   CHECK(run.position(0).x() > 0.5);
   const double energy = 0.5 * m * run.velocity(0).squaredNorm() + m * g * run.position(0).z();
-  CHECK(energy == Approx(0.5 * m * 0.01 + m * g * (0.5 + radius)).epsilon(1e-4));
+  CHECK(energy == Approx(0.5 * m * 0.01 + m * g * (0.5 + ball_radius)).epsilon(1e-4));
 }
 
-TEST_CASE("a ball rolls to and fro in a round trough with the period of mechanics") {
+TEST_CASE("a ball_radius rolls to and fro in a round trough with the period of mechanics") {
   // T = 2 pi sqrt(7 (a - R) / (5 g)) for small swings of a sphere that rolls, sqrt((a - R)/g) of one that slides; the
   // contact goes from facet to facet in the trough of plates and keeps its spring.
   const bool rolls = GENERATE(true, false), facets = GENERATE(false, true);
@@ -118,8 +119,9 @@ TEST_CASE("a ball rolls to and fro in a round trough with the period of mechanic
   }
   const Scene scene = rolls ? contact_scene(rough, grips, false, boundary(trough))
                             : contact_scene(smooth, lossy, false, boundary(trough));
-  const double dt = 2e-5, angle = swing / (a - radius);
-  HandMade run(scene, {{Vec3(0.5 + (a - radius) * std::sin(angle), 0.5, 0.5 - (a - radius) * std::cos(angle))}}, dt,
+  const double dt = 2e-5, angle = swing / (a - ball_radius);
+  HandMade run(scene,
+               {{Vec3(0.5 + (a - ball_radius) * std::sin(angle), 0.5, 0.5 - (a - ball_radius) * std::cos(angle))}}, dt,
                ContactVelocity::half_step);
   run.input.gravity = Vec3(0, 0, -g);
   std::vector<double> crossings;
@@ -133,16 +135,17 @@ TEST_CASE("a ball rolls to and fro in a round trough with the period of mechanic
     before = now;
   }
   const double amplitude_correction = 1 + angle * angle / 16;
-  const double period = 2 * std::numbers::pi * std::sqrt((rolls ? 1.4 : 1.0) * (a - radius) / g) * amplitude_correction;
+  const double period =
+      2 * std::numbers::pi * std::sqrt((rolls ? 1.4 : 1.0) * (a - ball_radius) / g) * amplitude_correction;
   CHECK((crossings[3] - crossings[0]) / 3 == Approx(period).epsilon(facets ? 5e-3 : 1e-5));
-  CHECK(largest == Approx((a - radius) * std::sin(angle)).epsilon(facets ? 1e-2 : 1e-4));  // rolling loses nothing
+  CHECK(largest == Approx((a - ball_radius) * std::sin(angle)).epsilon(facets ? 1e-2 : 1e-4));  // rolling loses nothing
 }
 
 TEST_CASE("a sphere that slides round in a smooth cylinder keeps energy and angular momentum") {
   const Scene scene =
       contact_scene(smooth, elastic, false,
                     boundary("kind = \"cylinder\"\npoint = [0.5, 0.5, 0]\nradius = 0.3\nside = \"inside\"\n"));
-  HandMade run(scene, {{Vec3(0.7, 0.5, 0.5), Vec3(0.3, 1, 0.1), radius}}, 2e-6);
+  HandMade run(scene, {{Vec3(0.7, 0.5, 0.5), Vec3(0.3, 1, 0.1), ball_radius}}, 2e-6);
   for (int n = 0; n < 200000; ++n) run.step();
   const Vec3 from_axis = run.position(0) - Vec3(0.5, 0.5, 0), v = run.velocity(0);
   CHECK(v.norm() == Approx(Vec3(0.3, 1, 0.1).norm()).epsilon(1e-4));
@@ -174,7 +177,7 @@ TEST_CASE("what lies on a turntable goes round with it") {
       "kind = \"plane\"\npoint = [0.5, 0.5, 0.1]\nnormal = [0, 0, 1]\n[boundary.motion]\n"
       "[boundary.motion.rotation]\naxis = [0, 0, 1]\nangle = \"2*t\"\n";
   const Scene scene = contact_scene(rough, grips, false, boundary(table));
-  HandMade run(scene, {{Vec3(0.6, 0.5, 0.12 - 1e-6), Vec3(0, 0.2, 0), radius}}, 1e-5, ContactVelocity::half_step);
+  HandMade run(scene, {{Vec3(0.6, 0.5, 0.12 - 1e-6), Vec3(0, 0.2, 0), ball_radius}}, 1e-5, ContactVelocity::half_step);
   run.input.gravity = Vec3(0, 0, -g);
   for (int n = 0; n < 50000; ++n) {
     run.step();
@@ -240,7 +243,7 @@ TEST_CASE("a surface goes on across a periodic side") {
   const auto rolled = [](const std::string& floor) {
     Scene scene = contact_scene(rough, grips, false, boundary(floor));
     scene.domain.periodic = {0, 1};
-    HandMade run(scene, {{Vec3(0.9, 0.5, 0.12), Vec3(1, 0.3, 0), radius}}, 1e-5, ContactVelocity::half_step);
+    HandMade run(scene, {{Vec3(0.9, 0.5, 0.12), Vec3(1, 0.3, 0), ball_radius}}, 1e-5, ContactVelocity::half_step);
     run.input.gravity = Vec3(0, 0, -g);
     for (int n = 0; n < 50000; ++n) run.step();
     return scene.box().wrapped(run.position(0));
@@ -253,10 +256,11 @@ TEST_CASE("a surface goes on across a periodic side") {
 TEST_CASE("nothing goes through a thin plate at half a radius a step") {
   const std::string plate = "kind = \"polygons\"\npolygons = [[[0,0,0.5],[1,0,0.5],[1,1,0.5],[0,1,0.5]]]\n";
   Scene scene = contact_scene(smooth, elastic, false, boundary(plate));
-  const double speed = 20, dt = 0.5 * radius / speed;
-  scene.materials[0].normal_stiffness = 0.05 * 1200 * std::pow(radius, 3) / (dt * dt);  // soft enough for such steps
+  const double speed = 20, dt = 0.5 * ball_radius / speed;
+  scene.materials[0].normal_stiffness =
+      0.05 * 1200 * std::pow(ball_radius, 3) / (dt * dt);  // soft enough for such steps
   for (int phase = 0; phase < 20; ++phase) {
-    HandMade run(scene, {{Vec3(0.5, 0.5, 0.9 + phase * speed * dt / 20), Vec3(0, 0, -speed), radius}}, dt);
+    HandMade run(scene, {{Vec3(0.5, 0.5, 0.9 + phase * speed * dt / 20), Vec3(0, 0, -speed), ball_radius}}, dt);
     run.input.overlap_limit = 1;
     bool stopped = false;
     for (int n = 0; n < 200 && !stopped; ++n) stopped = run.step().offence.has_value();
@@ -369,10 +373,10 @@ TEST_CASE("what a contact keeps does not follow a sphere round a corner") {
   const Scene scene =
       contact_scene(rough, grips, false, boundary("kind = \"box\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n"));
   constexpr double overlap = 1e-5;
-  HandMade run(scene, {{Vec3(radius - overlap, radius + overlap, 0.5), Vec3(0, 0.05, 5e-5), radius}}, 1e-5,
-               ContactVelocity::half_step);
+  HandMade run(scene, {{Vec3(ball_radius - overlap, ball_radius + overlap, 0.5), Vec3(0, 0.05, 5e-5), ball_radius}},
+               1e-5, ContactVelocity::half_step);
   for (int n = 0; n < 5; ++n) run.step();
-  run.hold(0, Vec3(radius + overlap, radius - overlap, 0.5));
+  run.hold(0, Vec3(ball_radius + overlap, ball_radius - overlap, 0.5));
   Recorder recorder;
   recorder.want_contacts = true;
   recorder.velocity.resize(1);

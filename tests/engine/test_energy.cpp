@@ -8,7 +8,7 @@
 
 using namespace packstone;
 using namespace packstone::engine;
-using testing::small_scene;
+using packstone::testing::small_scene;
 
 namespace {
 

@@ -22,9 +22,9 @@ using namespace packstone::engine;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
-using testing::file_scene;
-using testing::small_scene;
-using testing::TemporaryFolder;
+using packstone::testing::file_scene;
+using packstone::testing::small_scene;
+using packstone::testing::TemporaryFolder;
 
 namespace {
 

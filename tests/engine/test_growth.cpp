@@ -9,7 +9,7 @@
 using namespace packstone;
 using namespace packstone::engine;
 using Catch::Matchers::Contains;
-using testing::small_scene;
+using packstone::testing::small_scene;
 
 TEST_CASE("particles asked for are particles delivered, at random, in the region, in front of the floor") {
   const Scene scene = parse_scene(small_scene, "s.toml", {"boundary[0].point=[0, 0, 0.1]"});

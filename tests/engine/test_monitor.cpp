@@ -10,7 +10,7 @@
 using namespace packstone;
 using namespace packstone::engine;
 using Catch::Matchers::Contains;
-using testing::small_scene;
+using packstone::testing::small_scene;
 
 namespace {
 

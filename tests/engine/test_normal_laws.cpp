@@ -28,7 +28,7 @@ using engine::testing::ReferenceCollision;
 namespace {
 
 constexpr double young = 5e7, poisson = 0.3;
-const std::string elastic = "young_modulus = 5e7\npoisson_ratio = 0.3\n";
+const std::string elastic_keys = "young_modulus = 5e7\npoisson_ratio = 0.3\n";
 
 /// K of Hertz' law for two spheres of that material, one of 20 mm: eqs [11], [12].
 double hertz_stiffness(double second_radius) {
@@ -68,7 +68,7 @@ TEST_CASE("the reference itself: an undamped spring and Hertz' contact time") {
 
 TEST_CASE("Hertz: contact time by eq. [13], largest overlap from the energy, no loss") {
   const double speed = GENERATE(0.05, 0.5), radius = GENERATE(0.02, 0.05);
-  const Scene scene = contact_scene("normal = \"hertz\"", elastic + "normal_damping = 0");
+  const Scene scene = contact_scene("normal = \"hertz\"", elastic_keys + "normal_damping = 0");
   const double mass = effective_mass(radius), K = hertz_stiffness(radius);
   // 3.21 in the paper, to two digits; 2 sqrt(pi) Gamma(2/5)/(5 Gamma(9/10)) (5/4)^(2/5) exactly.
   const double constant =
@@ -87,7 +87,7 @@ TEST_CASE("Hertz with a constant dashpot follows the equation of motion, ended b
   const double radius = GENERATE(0.02, 0.05), speed = GENERATE(0.05, 0.5), damping = GENERATE(2.0, 10.0);
   const std::string release = force_ends ? "\nrelease = \"zero-force\"" : "";
   const Scene scene =
-      contact_scene("normal = \"hertz\"" + release, elastic + "normal_damping = " + std::to_string(damping));
+      contact_scene("normal = \"hertz\"" + release, elastic_keys + "normal_damping = " + std::to_string(damping));
   const double K = hertz_stiffness(radius);
   const ForceLaw law = [&](double xi, double rate) { return K * std::pow(xi, 1.5) + damping * rate; };
   check_collision(scene, law, speed, radius, force_ends, 1e-4);
@@ -97,7 +97,8 @@ TEST_CASE("Hertz with a given restitution has it at any speed and for unequal ma
   const bool force_ends = GENERATE(false, true);
   const double e = GENERATE(0.2, 0.5, 0.9, 1.0), speed = GENERATE(0.02, 1.0), radius = GENERATE(0.02, 0.06);
   const std::string release = force_ends ? "\nrelease = \"zero-force\"" : "";
-  const Scene scene = contact_scene("normal = \"hertz\"" + release, elastic + "restitution = " + std::to_string(e));
+  const Scene scene =
+      contact_scene("normal = \"hertz\"" + release, elastic_keys + "restitution = " + std::to_string(e));
   const double time = 3.2 * std::pow(effective_mass(radius) / hertz_stiffness(radius), 0.4) * std::pow(speed, -0.2);
   CHECK(collide(scene, speed, radius, time / 20000).restitution == Approx(e).epsilon(1e-3));
 }
@@ -107,14 +108,14 @@ TEST_CASE("Kuwabara-Kono follows the equation of motion, ended by overlap or by 
   const double radius = GENERATE(0.02, 0.05), speed = GENERATE(0.05, 0.5), B = GENERATE(2e-5, 2e-4);
   const std::string release = force_ends ? "\nrelease = \"zero-force\"" : "";
   const Scene scene =
-      contact_scene("normal = \"kuwabara-kono\"" + release, elastic + "dissipation_time = " + std::to_string(B));
+      contact_scene("normal = \"kuwabara-kono\"" + release, elastic_keys + "dissipation_time = " + std::to_string(B));
   const double K = hertz_stiffness(radius);
   const ForceLaw law = [&](double xi, double rate) { return K * (std::pow(xi, 1.5) + 1.5 * B * std::sqrt(xi) * rate); };
   check_collision(scene, law, speed, radius, force_ends, 1e-4);
 }
 
 TEST_CASE("Kuwabara-Kono: the loss grows as the fifth root of a low speed") {
-  const Scene scene = contact_scene("normal = \"kuwabara-kono\"", elastic + "dissipation_time = 4e-6");
+  const Scene scene = contact_scene("normal = \"kuwabara-kono\"", elastic_keys + "dissipation_time = 4e-6");
   const auto loss = [&](double speed) {
     const double time = 3.2 * std::pow(effective_mass(0.02) / hertz_stiffness(0.02), 0.4) * std::pow(speed, -0.2);
     return 1 - collide(scene, speed, 0.02, time / 20000, 1e-9).restitution;

@@ -14,7 +14,7 @@
 using namespace packstone;
 using namespace packstone::engine;
 using Catch::Matchers::Contains;
-using testing::small_scene;
+using packstone::testing::small_scene;
 
 namespace {
 
@@ -45,7 +45,7 @@ TEST_CASE("one, two and three threads write the same bytes") {
   std::vector<std::string> many = {"particles[0].count=900", "particles[1].count=900", "particles[0].radius=0.008",
                                    "particles[1].radius=0.008", "dynamics.duration=50 ms"};
   many.insert(many.end(), set.begin(), set.end());
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   for (int threads : {1, 2, 3}) run_into(folder / std::to_string(threads), many, threads);
   const RunReader one(folder / "1");
   REQUIRE(one.snapshot_count() == 4);
@@ -68,7 +68,7 @@ TEST_CASE("how often a run is recorded does not change it") {
   std::vector<std::string> often = set, seldom = set;
   often.push_back("output.history_interval=0.1 ms");
   seldom.push_back("output.history_interval=20 ms");
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   run_into(folder / "often", often, 1);
   run_into(folder / "seldom", seldom, 1);
   const Snapshot a = RunReader(folder / "often").snapshot(4), b = RunReader(folder / "seldom").snapshot(4);
@@ -80,7 +80,7 @@ TEST_CASE("how often a run is recorded does not change it") {
 TEST_CASE("a run in mixed precision ends where one in double precision does") {
   // Long enough to fall and settle: paths part, measures must not.
   const std::vector<std::string> set = GENERATE(std::vector<std::string>{}, with_friction);
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   run_into(folder / "double", set, 1);
   run_into(folder / "mixed", in_mixed_precision(set), 1);
   const History a = RunReader(folder / "double").history(), b = RunReader(folder / "mixed").history();
@@ -115,7 +115,7 @@ TEST_CASE("mixed precision warns where a sphere's weight is lost in it") {
 }
 
 TEST_CASE("the run folder holds the run") {
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   const RunRecord record = run_into(folder / "run", with_friction, 2);
   CHECK(record.status == RunStatus::finished);
   CHECK(record.steps == 4000);
@@ -147,7 +147,7 @@ TEST_CASE("the run folder holds the run") {
 }
 
 TEST_CASE("a snapshot's forces are those of its contacts and gravity") {
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   run_into(folder / "run", with_friction, 1);
   const Snapshot s = RunReader(folder / "run").snapshot(4);
   const auto row = s.rows_by_id();
@@ -164,7 +164,7 @@ TEST_CASE("a snapshot's forces are those of its contacts and gravity") {
 }
 
 TEST_CASE("an interrupted run keeps what it has and says so") {
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   RunControl control;
   int asked = 0;
   control.should_stop = [&] { return ++asked > 700; };
@@ -175,7 +175,7 @@ TEST_CASE("an interrupted run keeps what it has and says so") {
 }
 
 TEST_CASE("a failed run says why and keeps its snapshots") {
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   CHECK_THROWS_AS(run_into(folder / "run", {"gravity.acceleration=[0, 0, 5000]", "dynamics.duration=1 s"}, 1),
                   RunError);
   const RunReader run(folder / "run");
@@ -185,7 +185,7 @@ TEST_CASE("a failed run says why and keeps its snapshots") {
 }
 
 TEST_CASE("a scene that is refused leaves no folder") {
-  const testing::TemporaryFolder folder;
+  const packstone::testing::TemporaryFolder folder;
   CHECK_THROWS_AS(run_into(folder / "run", {"dynamics.time_step=1 ms"}, 1), InputError);
   CHECK_THROWS_AS(run_into(folder / "run", {"particles[0].count=1000"}, 1), InputError);
   CHECK_THROWS_AS(run_into(folder / "run", {"domain.max=[0.08, 0.2, 2]", "particles[0].count=1"}, 1), InputError);

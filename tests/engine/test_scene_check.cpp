@@ -15,7 +15,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-SceneCheck checked(const std::vector<std::string>& set = {}, const std::string& text = testing::small_scene) {
+SceneCheck checked(const std::vector<std::string>& set = {},
+                   const std::string& text = packstone::testing::small_scene) {
   return check_scene(parse_scene(text, "s.toml", set));
 }
 
@@ -60,7 +61,7 @@ TEST_CASE("check's impacts follow every law") {
   m.poisson_ratio = 0.3;
   m.dissipation_time = 0;
   const PairSize<double> size{2 / 0.03, 0.01};
-  Scene scene = parse_scene(testing::small_scene, "s.toml");
+  Scene scene = parse_scene(packstone::testing::small_scene, "s.toml");
   scene.contact.normal = NormalModel::walton_braun;
   CHECK(impact_of(scene, m, m, size, 1.0).restitution == Approx(0.5).epsilon(2e-3));
   scene.contact.normal = NormalModel::kuwabara_kono;
@@ -86,7 +87,7 @@ TEST_CASE("check tells the overlap at rest, and what a softer contact would save
 TEST_CASE("check tells the Bond number, and when attraction may be left out") {
   const std::string attraction = "normal = \"hysteretic\"\n[contact.van_der_waals]\nhamaker = ";
   const auto with = [&](const std::string& hamaker) {
-    return checked({}, testing::small_scene_with("normal = \"hysteretic\"", attraction + hamaker));
+    return checked({}, packstone::testing::small_scene_with("normal = \"hysteretic\"", attraction + hamaker));
   };
   const SceneCheck weak = with("1e-19");
   const double light = 1200 * sphere_volume(0.02);

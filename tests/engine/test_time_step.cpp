@@ -17,7 +17,7 @@ namespace {
 const double light_mass = 1200 * 4.0 / 3.0 * std::numbers::pi * std::pow(0.02, 3);
 
 Scene scene_with_step(const std::string& step) {
-  return parse_scene(testing::small_scene, "s.toml", {"dynamics.time_step=" + step});
+  return parse_scene(packstone::testing::small_scene, "s.toml", {"dynamics.time_step=" + step});
 }
 
 StepLimit limit_of(const Scene& scene) {
@@ -54,7 +54,7 @@ TEST_CASE("a step beyond the limit is refused, one beyond the recommended one wa
 
 TEST_CASE("a stiff tangential spring and a strong dashpot lower the limit") {
   const auto limit_with = [](const std::vector<std::string>& set) {
-    return limit_of(parse_scene(testing::small_scene, "s.toml", set));
+    return limit_of(parse_scene(packstone::testing::small_scene, "s.toml", set));
   };
   const std::vector<std::string> friction = {
       "contact.tangential=cundall-strack", "material[0].tangential_stiffness=1e6",
@@ -67,7 +67,7 @@ TEST_CASE("a stiff tangential spring and a strong dashpot lower the limit") {
 }
 
 TEST_CASE("laws whose stiffness grows with the overlap are taken where the monitor stops") {
-  std::string text = testing::small_scene;
+  std::string text = packstone::testing::small_scene;
   for (std::size_t at; (at = text.find("normal_damping = 0.7")) != std::string::npos;) {
     text.replace(at, 20, "restitution = 1\nyoung_modulus = 1e8\npoisson_ratio = 0.3");
   }

@@ -1,0 +1,1 @@
+// Of the targets that precompile headers: a target has at least one source.
