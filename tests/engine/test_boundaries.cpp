@@ -97,7 +97,7 @@ TEST_CASE("a sphere that rolls off an edge goes round it with its energy") {
   CHECK(energy == Approx(0.5 * m * 0.01 + m * g * (0.5 + ball_radius)).epsilon(1e-4));
 }
 
-TEST_CASE("a ball_radius rolls to and fro in a round trough with the period of mechanics") {
+TEST_CASE("a ball rolls to and fro in a round trough with the period of mechanics") {
   // T = 2 pi sqrt(7 (a - R) / (5 g)) for small swings of a sphere that rolls, sqrt((a - R)/g) of one that slides; the
   // contact goes from facet to facet in the trough of plates and keeps its spring.
   const bool rolls = GENERATE(true, false), facets = GENERATE(false, true);
