@@ -26,6 +26,7 @@ struct ConvertOptions {
   fs::path like;
   std::string at;
   std::string contact_columns;
+  std::string wall_columns;
   PackingOptions packing;
   bool overwrite = false;
   bool quiet = false;
@@ -100,6 +101,7 @@ void convert(ConvertOptions options) {
   const fs::path target = options.paths.back();
   options.paths.pop_back();
   options.packing.contact_columns = column_names(options.contact_columns);
+  options.packing.wall_columns = column_names(options.wall_columns);
   std::optional<LikeScene> like;
   if (!options.like.empty()) like.emplace(options.like);
   if (like && options.packing.time_step == 0) options.packing.time_step = like->time_step();
@@ -139,6 +141,10 @@ void add_convert(Program& program) {
   verb.add("--contact-columns", options->contact_columns,
            "What the columns of the contacts are, by comma, out of id1 id2 x1 y1 z1 x2 y2 z2 fx fy fz ftx fty "
            "ftz, - for none of them");
+  verb.add("--wall-contacts", options->packing.wall_contacts,
+           "Dump of contacts with walls (LIGGGHTS' compute wall/gran/local) [FILE.wall beside a dump FILE]");
+  verb.add("--wall-columns", options->wall_columns,
+           "What its columns are, by comma, out of px py pz id x y z wall fx fy fz ftx fty ftz, - for none of them");
   verb.add("--time-step", options->packing.time_step,
            "Between steps of a file that has no times [s] [the scene's of --like]")
       .positive();

@@ -30,6 +30,12 @@ void LikeScene::apply(Snapshot& s, const std::string& source) const {
   }
   s.domain = domain_;
   s.gravity = scene_.gravity.present ? scene_.gravity.acceleration : Vec3::Zero();
+  if (s.boundaries.size() > boundaries_.size()) {
+    throw InputError(fmt::format(
+        "{}: the contacts are with {} walls, the scene has {} [[boundaries]]; wall k is the k-th, add those that "
+        "lack",
+        source, s.boundaries.size(), boundaries_.size()));
+  }
   s.boundaries = boundaries_;
   s.groups.clear();
   s.material_names.clear();
@@ -44,7 +50,7 @@ void LikeScene::apply(Snapshot& s, const std::string& source) const {
   s.scene_text = to_toml(scene_);
   s.scene_hash = scene_hash(scene_);
   std::erase_if(s.notes, [](const std::string& note) {
-    return note == note_no_box || note == note_no_density || note == note_no_periodicity;
+    return note == note_no_box || note == note_no_density || note == note_no_periodicity || note == note_no_walls;
   });
 }
 

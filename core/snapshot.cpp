@@ -39,24 +39,32 @@ std::uint64_t spread_bits(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249ull;
 }
 
-/// Rows sorted along a Morton curve through the particles' bounding box, ties by id.
-std::vector<std::size_t> space_filling_order(const Snapshot& s) {
-  std::vector<std::size_t> order(s.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (s.size() < 2) return order;
+/// Every particle's place on the curve, by row.
+std::vector<std::uint64_t> morton_codes(const Snapshot& s) {
+  std::vector<std::uint64_t> code(s.size());
+  if (s.size() < 2) return code;
   Vec3 low = s.position.front(), high = low;
   for (const auto& p : s.position) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   const double cells = static_cast<double>((1u << morton_bits) - 1) / std::max((high - low).maxCoeff(), 1e-300);
-  std::vector<std::uint64_t> code(s.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     const Vec3 q = (s.position[i] - low) * cells;
     for (int k = 0; k < 3; ++k) code[i] |= spread_bits(static_cast<std::uint64_t>(q[k])) << k;
   }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return code[a] != code[b] ? code[a] < code[b] : s.id[a] < s.id[b]; });
+  return code;
+}
+
+/// The rows by ascending keys, ties by id.
+template <class Key>
+std::vector<std::size_t> sorted_rows(const std::vector<Key>& keys, const std::vector<std::int64_t>& id) {
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto before = [&](std::size_t a, std::size_t b) {
+    return keys[a] != keys[b] ? keys[a] < keys[b] : id[a] < id[b];
+  };
+  if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
   return order;
 }
 
@@ -375,6 +383,12 @@ std::map<std::int64_t, std::size_t> Snapshot::rows_by_id() const {
   for (std::size_t i = 0; i < size(); ++i) rows.emplace(id[i], i);
   return rows;
 }
+
+std::vector<std::size_t> space_filling_order(const Snapshot& snapshot) {
+  return sorted_rows(morton_codes(snapshot), snapshot.id);
+}
+
+std::vector<std::size_t> id_order(const Snapshot& snapshot) { return sorted_rows(snapshot.id, snapshot.id); }
 
 Snapshot with_rows(const Snapshot& snapshot, const std::vector<std::size_t>& rows) {
   Snapshot result = snapshot;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -20,9 +19,7 @@ constexpr double safe_jump = 0.5;  ///< of half a period: beyond, the image a pa
 }  // namespace
 
 void Course::follow(const Snapshot& snapshot) {
-  std::vector<std::size_t> rows(snapshot.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return snapshot.id[a] < snapshot.id[b]; });
+  const std::vector<std::size_t> rows = id_order(snapshot);
   if (snapshots_ == 0) {
     for (const GroupRecord& group : snapshot.groups) group_names_.push_back(group.name);
     for (const std::size_t i : rows) {

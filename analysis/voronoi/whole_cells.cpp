@@ -133,17 +133,18 @@ Table type_table(const WholeCells& cells, const SpeciesList& species) {
 }
 
 Table cell_table(const Snapshot& snapshot, const RadicalCells& cells) {
-  Table table{.key = "cells",
-              .caption =
-                  "The cell of every particle; state 0: within the packing, 1: at the surface, 2: empty (covered "
-                  "by larger spheres' cells, or lost), 3: the particle lies outside the container",
-              .columns = {{"id", "", ColumnFormat::integer},
-                          {"type", "", ColumnFormat::integer},
-                          {"volume", "m3"},
-                          {"local_fraction"},
-                          {"faces", "", ColumnFormat::integer},
-                          {"state", "", ColumnFormat::integer}}};
-  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+  Table table{
+      .key = "cells",
+      .caption =
+          "The cell of every particle, by id; state 0: within the packing, 1: at the surface, 2: empty (covered "
+          "by larger spheres' cells, or lost), 3: the particle lies outside the container",
+      .columns = {{"id", "", ColumnFormat::integer},
+                  {"type", "", ColumnFormat::integer},
+                  {"volume", "m3"},
+                  {"local_fraction"},
+                  {"faces", "", ColumnFormat::integer},
+                  {"state", "", ColumnFormat::integer}}};
+  for (const std::size_t i : id_order(snapshot)) {
     const bool present = cells.volume[i] > 0;
     table.rows.push_back({static_cast<double>(snapshot.id[i]), static_cast<double>(snapshot.type[i]), cells.volume[i],
                           present ? sphere_volume(snapshot.radius[i]) / cells.volume[i] : no_value,

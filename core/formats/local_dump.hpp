@@ -1,5 +1,5 @@
 // Contacts in dumps of style local, of LAMMPS (compute property/local and pair/local) and of LIGGGHTS (compute
-// pair/gran/local).
+// pair/gran/local and wall/gran/local).
 #pragma once
 
 #include <filesystem>
@@ -17,5 +17,11 @@ namespace packstone::formats {
 /// Throws InputError "FILE:LINE: what; what would be right".
 PairForces read_local_dump(const std::filesystem::path& path, std::int64_t step,
                            const std::vector<std::string>& column_names);
+
+/// The same for contacts with walls, as LIGGGHTS' compute wall/gran/local writes them for walls of triangles. Columns:
+/// px py pz (point of contact), id (particle) or x y z (its centre), wall (number of the mesh, from 0; without it all
+/// are of wall 0), fx fy fz (force on the particle), ftx fty ftz, -. By number: 9: "pos force", 12: "pos id force".
+WallForces read_wall_dump(const std::filesystem::path& path, std::int64_t step,
+                          const std::vector<std::string>& column_names);
 
 }  // namespace packstone::formats

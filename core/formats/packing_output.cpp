@@ -54,7 +54,11 @@ bool holds_series(const std::filesystem::path& path) { return writer_of(path).se
 void write_packing(const std::filesystem::path& path, const Snapshot& snapshot, bool append) {
   const Writer& writer = writer_of(path);
   if (append && !writer.series) throw InputError(path.string() + ": the format holds one instant");
-  writer.write(path, snapshot, append);
+  if (writer.write == write_own || std::is_sorted(snapshot.id.begin(), snapshot.id.end())) {
+    writer.write(path, snapshot, append);
+  } else {
+    writer.write(path, with_rows(snapshot, id_order(snapshot)), append);
+  }
 }
 
 }  // namespace packstone

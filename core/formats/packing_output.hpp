@@ -16,9 +16,10 @@ inline constexpr const char* writable_formats =
 /// Whether a file of this extension holds several instants.
 bool holds_series(const std::filesystem::path& path);
 
-/// Writes the snapshot in the format of the path's extension; at the end of the file when append is set, which takes a
-/// format that holds series. Throws InputError for another extension or a snapshot that the format cannot hold, and
-/// RunError when the disk refuses.
+/// Writes the snapshot in the format of the path's extension, particles by ascending id (those of packstone's own along
+/// a curve through space), so that the rows of successive instants agree; at the end of the file when append is set,
+/// which takes a format that holds series. Throws InputError for another extension or a snapshot that the format cannot
+/// hold, and RunError when the disk refuses.
 void write_packing(const std::filesystem::path& path, const Snapshot& snapshot, bool append = false);
 
 }  // namespace packstone

@@ -25,6 +25,7 @@ namespace {
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 constexpr std::string_view gzip_signature = "\x1f\x8b";
 constexpr const char* local_extension = ".local";
+constexpr const char* wall_extension = ".wall";
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -63,8 +64,9 @@ std::vector<fs::path> expanded(const fs::path& path) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) != 0 || entry.path().extension() == local_extension)
-      continue;
+    const fs::path extension = entry.path().extension();
+    if (fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) != 0) continue;
+    if (extension == local_extension || extension == wall_extension) continue;
     files.push_back(path.has_parent_path() ? entry.path() : fs::path(name));
   }
   if (files.empty()) throw InputError(path.string() + ": no file has such a name");
@@ -74,13 +76,15 @@ std::vector<fs::path> expanded(const fs::path& path) {
   return files;
 }
 
-/// Where Yade's VTKRecorder puts the interactions that go with NAME-spheres.NUMBER.vtu.
+/// Where Yade's VTKRecorder puts the interactions that go with NAME-spheres.NUMBER.vtu, and its VTKExporter those of
+/// NAME-spheres-NUMBER.vtk.
 fs::path yade_interactions(const fs::path& spheres) {
   constexpr std::string_view part = "spheres";
   std::string name = spheres.stem().string();
   const std::size_t at = name.rfind(part);
   if (at == std::string::npos) return {};
-  return spheres.parent_path() / (name.replace(at, part.size(), "intrs") + ".vtp");
+  const std::string extension = spheres.extension() == ".vtu" ? ".vtp" : spheres.extension().string();
+  return spheres.parent_path() / (name.replace(at, part.size(), "intrs") + extension);
 }
 
 }  // namespace
@@ -148,12 +152,37 @@ void PackingSeries::add_contacts(const Frame& frame, Snapshot& s) const {
   const bool given = !path.empty();
   if (!given && frame.format == Format::vtk) path = yade_interactions(frame.file);
   if (!given && frame.format != Format::vtk) path = fs::path(frame.file.string() + local_extension);
-  if (path.empty() || (!given && !fs::is_regular_file(path))) return;
-  const bool vtk = path.extension() == ".vtp";
-  s.contacts = contacts_of_pairs(
-      s, vtk ? read_yade_interactions(path) : read_local_dump(path, s.step, options_.contact_columns));
-  s.notes.push_back("contacts with boundaries are not in " + path.filename().string());
-  if (vtk) s.notes.emplace_back("forces of contacts are their normal parts: friction's direction is not in the file");
+  if (path.empty() || (!given && !fs::is_regular_file(path))) {
+    if (options_.wall_contacts.empty()) return;
+    throw InputError(
+        options_.wall_contacts.string() +
+        ": contacts with walls take the contacts between particles beside them; name those with --contacts");
+  }
+  if (is_vtk_file(MappedFile(path).text())) {
+    const PairForces pairs = read_yade_interactions(path);
+    s.contacts = contacts_of_pairs(s, pairs);
+    if (!pairs.with_friction) {
+      s.notes.emplace_back("forces of contacts are their normal parts: friction's direction is not in the file");
+    }
+  } else {
+    s.contacts = contacts_of_pairs(s, read_local_dump(path, s.step, options_.contact_columns));
+  }
+  add_wall_contacts(frame, s);
+}
+
+/// Walls are boundaries without a place: what they look like the dump does not say.
+void PackingSeries::add_wall_contacts(const Frame& frame, Snapshot& s) const {
+  fs::path path = options_.wall_contacts;
+  if (path.empty()) path = fs::path(frame.file.string() + wall_extension);
+  if (options_.wall_contacts.empty() && !fs::is_regular_file(path)) {
+    s.notes.emplace_back("contacts with boundaries are not known");
+    return;
+  }
+  const WallForces walls = read_wall_dump(path, s.step, options_.wall_columns);
+  s.contacts->append(contacts_with_walls(s, walls));
+  const std::int32_t last = walls.wall.empty() ? -1 : *std::max_element(walls.wall.begin(), walls.wall.end());
+  for (std::int32_t k = 0; k <= last; ++k) s.boundaries.push_back({fmt::format("wall {}", k), "mesh"});
+  if (last >= 0) s.notes.emplace_back(note_no_walls);
 }
 
 Snapshot PackingSeries::snapshot(std::size_t index, const ReadOptions& read) const {

@@ -16,6 +16,9 @@ struct PackingOptions {
   double time_step = 0;            ///< between steps that have no time [s]; 0: their time is 0
   std::filesystem::path contacts;  ///< dump of contacts; empty: a file FILE.local beside FILE, if there is one
   std::vector<std::string> contact_columns;  ///< as formats::read_local_dump takes them
+  /// Dump of contacts with walls; empty: a file FILE.wall beside FILE, if there is one.
+  std::filesystem::path wall_contacts;
+  std::vector<std::string> wall_columns;  ///< as formats::read_wall_dump takes them
 };
 
 /// The kinds of file that are read, for messages and help.
@@ -55,6 +58,7 @@ class PackingSeries {
   void add_file(const std::filesystem::path& path);
   Snapshot foreign(const Frame& frame) const;
   void add_contacts(const Frame& frame, Snapshot& snapshot) const;
+  void add_wall_contacts(const Frame& frame, Snapshot& snapshot) const;
 
   PackingOptions options_;
   std::vector<Frame> frames_;

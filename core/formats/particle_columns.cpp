@@ -200,17 +200,20 @@ void set_domain(ParticleColumns& columns, Snapshot& s) {
   for (Vec3& p : s.position) p = s.domain.wrapped(p);
 }
 
-/// Programs write particles as they lie in memory; by ids, the frames of a series agree row by row.
-void sort_by_id(const ParticleColumns& columns, Snapshot& s) {
+void check_ids(const ParticleColumns& columns, const Snapshot& s) {
   if (std::adjacent_find(s.id.begin(), s.id.end(), std::greater_equal<>()) == s.id.end()) return;
-  std::vector<std::size_t> order(s.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
+  const std::vector<std::size_t> order = id_order(s);
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (s.id[order[k - 1]] != s.id[order[k]]) continue;
-    columns.fail(order[k], fmt::format("id: {} occurs twice; each particle needs its own", s.id[order[k]]));
+    columns.fail(std::max(order[k - 1], order[k]),
+                 fmt::format("id: {} occurs twice; each particle needs its own", s.id[order[k]]));
   }
-  s = with_rows(s, order);
+}
+
+/// Programs write particles as they lie in memory or by their ids, often far from those they touch.
+void sort_in_space(Snapshot& s) {
+  const std::vector<std::size_t> order = space_filling_order(s);
+  if (!std::is_sorted(order.begin(), order.end())) s = with_rows(s, order);
 }
 
 }  // namespace
@@ -242,11 +245,12 @@ Snapshot to_snapshot(ParticleColumns&& columns) {
   s.step = columns.step;
   place_spheres(columns, s);
   set_ids(columns, s);
+  check_ids(columns, s);
   set_groups(columns, s);
   set_densities(columns, s);
   set_fields(columns, s);
   set_domain(columns, s);
-  sort_by_id(columns, s);
+  sort_in_space(s);
   s.notes = std::move(columns.notes);
   return s;
 }

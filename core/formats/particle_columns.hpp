@@ -47,11 +47,11 @@ KnownColumn known_column(const std::string& name);
 /// Adds a column under the name it has here. A second column of the same name gives way to the first.
 void add_column(ParticleColumns& columns, const std::string& name, std::vector<double>&& values);
 
-/// Checks the particles, sorts them by id and groups them by type. Every type from the first up to the largest is a
-/// group; its density is its mass over its volume where the file has either for all particles, else 0: unknown. A
-/// file without a box has the spheres' bounding box, not periodic. Positions come inside along periodic axes.
-/// Throws InputError where a needed column is missing, a position or a radius is not finite, a radius is negative, a
-/// density or a mass is not positive, a type or an id is not whole, or an id occurs twice.
+/// Checks the particles, puts them into space_filling_order and groups them by type. Every type from the first up to
+/// the largest is a group; its density is its mass over its volume where the file has either for all particles, else 0:
+/// unknown. A file without a box has the spheres' bounding box, not periodic. Positions come inside along periodic
+/// axes. Throws InputError where a needed column is missing, a position or a radius is not finite, a radius is
+/// negative, a density or a mass is not positive, a type or an id is not whole, or an id occurs twice.
 Snapshot to_snapshot(ParticleColumns&& columns);
 
 }  // namespace packstone::formats

@@ -89,6 +89,16 @@ void add_array(ParticleColumns& columns, vtkDataArray& array, const std::string&
   }
 }
 
+Vec3 vector_at(vtkDataArray& array, vtkIdType row) {
+  return {array.GetComponent(row, 0), array.GetComponent(row, 1), array.GetComponent(row, 2)};
+}
+
+InputError no_interactions(const std::filesystem::path& path) {
+  return InputError(path.string() +
+                    ": holds no interactions; expected lines with forceN, as Yade's recorder intr writes, or with "
+                    "normalForce and shearForce");
+}
+
 /// Time and box, which packstone's own files have.
 void read_field_data(ParticleColumns& columns, vtkFieldData& data) {
   if (vtkDataArray* time = data.GetArray(vtk_time_name); time && time->GetNumberOfValues() == 1) {
@@ -137,21 +147,35 @@ ParticleColumns read_vtk_file(const std::filesystem::path& path) {
 PairForces read_yade_interactions(const std::filesystem::path& path) {
   const vtkSmartPointer<vtkPointSet> points = read_points(path);
   vtkPolyData* data = vtkPolyData::SafeDownCast(points);
-  vtkDataArray* normal_force = data ? data->GetCellData()->GetArray("forceN") : nullptr;
-  if (!normal_force || normal_force->GetNumberOfTuples() != data->GetNumberOfCells() ||
-      data->GetNumberOfLines() != data->GetNumberOfCells()) {
-    throw InputError(path.string() +
-                     ": holds no interactions; expected lines with forceN, as Yade's recorder intr writes");
-  }
+  if (!data || data->GetNumberOfLines() != data->GetNumberOfCells()) throw no_interactions(path);
+  vtkCellData* values = data->GetCellData();
+  const auto array = [&](const char* name, int components) -> vtkDataArray* {
+    vtkDataArray* found = values->GetArray(name);
+    if (!found || found->GetNumberOfComponents() != components) return nullptr;
+    return found->GetNumberOfTuples() == data->GetNumberOfCells() ? found : nullptr;
+  };
+  vtkDataArray* normal_part = array("forceN", 1);
+  vtkDataArray* normal_force = array("normalForce", 3);
+  vtkDataArray* shear_force = array("shearForce", 3);
   PairForces pairs{path.string(), 0, {}, {}, {}};
+  pairs.with_friction = normal_force && shear_force;
+  if (!pairs.with_friction && !normal_part) throw no_interactions(path);
   for (vtkIdType k = 0; k < data->GetNumberOfLines(); ++k) {
     vtkIdType count = 0;
     const vtkIdType* ends = nullptr;
     data->GetLines()->GetCellAtId(k, count, ends);
     if (count != 2) throw InputError(fmt::format("{}: interaction {} has {} ends; expected 2", pairs.source, k, count));
+    if (std::min(ends[0], ends[1]) < 0 || std::max(ends[0], ends[1]) >= data->GetNumberOfPoints()) {
+      throw InputError(fmt::format("{}: interaction {} has an end that is none of the points", pairs.source, k));
+    }
     const Vec3 first(data->GetPoint(ends[0])), second(data->GetPoint(ends[1]));
+    const Vec3 force = pairs.with_friction ? Vec3(-vector_at(*normal_force, k) - vector_at(*shear_force, k))
+                                           : Vec3(normal_part->GetTuple1(k) * (first - second).normalized());
+    if (!first.allFinite() || !second.allFinite() || !force.allFinite()) {
+      throw InputError(fmt::format("{}: interaction {} has an end or a force that is not finite", pairs.source, k));
+    }
     pairs.centres.push_back({first, second});
-    pairs.force.push_back(normal_force->GetTuple1(k) * (first - second).normalized());
+    pairs.force.push_back(force);
   }
   return pairs;
 }

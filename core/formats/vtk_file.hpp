@@ -18,8 +18,9 @@ bool is_vtk_file(std::string_view text);
 /// Throws InputError that names the file; also in a build without VTK.
 ParticleColumns read_vtk_file(const std::filesystem::path& path);
 
-/// Interactions as Yade's VTKRecorder writes them (NAME-intrs.NUMBER.vtp): a line between two centres with forceN, its
-/// normal force; friction's direction is not in the file. Throws InputError as above.
+/// Interactions as Yade's VTKRecorder (NAME-intrs.NUMBER.vtp) and export.VTKExporter (NAME-intrs-NUMBER.vtk) write
+/// them: a line from the first centre to the second, with forceN, the normal force, or with the vectors normalForce and
+/// shearForce (i.phys.normalForce, i.phys.shearForce), which Yade lets act on the second. Throws InputError as above.
 PairForces read_yade_interactions(const std::filesystem::path& path);
 
 /// Writes an unstructured grid (.vtu) or poly data (.vtp) of one vertex a particle, XML with appended raw data in

@@ -16,24 +16,41 @@ constexpr std::string_view format_key = "#format";
 constexpr std::string_view usual_format = "x_y_z_r";
 constexpr std::string_view attributes = "attrs";
 
-/// What stands behind #format in the comments at the top; empty without one.
-std::string_view declared_format(std::string_view text) {
+/// What the comments at the top say.
+struct Head {
+  std::string_view format;                ///< behind #format; empty without one
+  std::vector<std::string_view> columns;  ///< words of the last comment
+};
+
+Head head_of(std::string_view text) {
+  Head head;
   while (text.starts_with('#')) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     if (line.starts_with(format_key)) {
       const auto parts = words(line.substr(format_key.size()));
-      return parts.empty() ? std::string_view() : parts.front();
+      if (head.format.empty() && !parts.empty()) head.format = parts.front();
+    } else {
+      head.columns = words(line.substr(1));
     }
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return {};
+  return head;
+}
+
+/// Names of a row's columns in their order, as the format says them.
+std::vector<std::string> format_names(std::string_view format) {
+  std::vector<std::string> names;
+  for (const std::string_view name : split(format, '_')) {
+    if (name != attributes) names.emplace_back(name);
+  }
+  return names;
 }
 
 }  // namespace
 
 bool is_yade_text(std::string_view text) {
-  if (!declared_format(text).empty()) return true;
+  if (!head_of(text).format.empty()) return true;
   TextLines lines(text, "");
   if (!lines.next()) return false;
   const auto parts = words(lines.line());
@@ -42,23 +59,23 @@ bool is_yade_text(std::string_view text) {
 }
 
 ParticleColumns read_yade_text(std::string_view text, const std::string& source) {
-  const std::string_view declared = declared_format(text);
-  const std::string_view format = declared.empty() ? usual_format : declared;
-  std::vector<std::string> names;
-  bool more = declared.empty();
-  for (const std::string_view name : split(format, '_')) {
-    if (name == attributes) {
-      more = true;
-    } else {
-      names.emplace_back(name);
-    }
-  }
+  const Head head = head_of(text);
+  const std::string_view format = head.format.empty() ? usual_format : head.format;
+  std::vector<std::string> names = format_names(format);
+  const bool has_attributes = format.ends_with(attributes);
+  const bool more = head.format.empty() || has_attributes;
   TextLines lines(text, source);
-  std::vector<std::vector<double>> values(names.size());
+  std::vector<std::vector<double>> values;
   ParticleColumns columns;
   columns.source = source;
   while (lines.next()) {
     const auto fields = words(lines.line());
+    if (columns.line.empty()) {
+      if (has_attributes && head.columns.size() == fields.size()) {
+        for (std::size_t k = names.size(); k < fields.size(); ++k) names.emplace_back(head.columns[k]);
+      }
+      values.resize(names.size());
+    }
     if (fields.size() < names.size() || (fields.size() > names.size() && !more)) {
       lines.fail(fmt::format("the row has {} fields, the format {} has {}; they must agree", fields.size(), format,
                              names.size()));
@@ -71,6 +88,7 @@ ParticleColumns read_yade_text(std::string_view text, const std::string& source)
     columns.line.push_back(lines.number());
   }
   columns.count = columns.line.size();
+  values.resize(names.size());
   for (std::size_t k = 0; k < names.size(); ++k) add_column(columns, names[k], std::move(values[k]));
   return columns;
 }

@@ -66,15 +66,34 @@ TEST_CASE("contacts go by centres printed with few digits; a wall's are left out
   const Contacts c = contacts_in(contacts_file(
       "a b c d e f g h i", {"2.4003 0 0 4.2996 0 0 -2 0 0", "0.5 0 0 0.5 0 -1 3 3 3", "-1.4 0 0 0.5 0 0 -1 0 0"}));
   REQUIRE(c.size() == 2);
-  CHECK(c.first == std::vector<std::int64_t>{2, 3});
-  CHECK(c.second == std::vector<std::int64_t>{3, 1});
-  CHECK(c.force[1] == Vec3(-1, 0, 0));
+  CHECK(c.first == std::vector<std::int64_t>{3, 2});  // along the rows: the pair with the lowest first
+  CHECK(c.second == std::vector<std::int64_t>{1, 3});
+  CHECK(c.force[0] == Vec3(-1, 0, 0));
 }
 
 TEST_CASE("a pair that comes twice counts once, one that does not touch not at all") {
   const Contacts c = contacts_in(contacts_file("id1 id2 fx fy fz", {"1 2 -4 0 0", "2 1 4 0 0"}));
   CHECK(c.size() == 1);
   CHECK(contacts_in(contacts_file("id1 id2 fx fy fz", {})).size() == 0);
+}
+
+TEST_CASE("a pair that presses touches, also where few digits leave no overlap") {
+  const auto overlap = [](const std::string& x, const std::string& force) {
+    const TemporaryFolder folder;
+    write_text_file(folder / "a.dump",
+                    "ITEM: TIMESTEP\n3\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 "
+                    "9\nITEM: ATOMS id x y z radius\n1 1 1 1 1\n2 " +
+                        x + " 1 1 1\n");
+    write_text_file(folder / "a.dump.local", contacts_file("id1 id2 fx fy fz", {"1 2 " + force + " 0 0"}));
+    const Contacts c = read_packing(folder / "a.dump").contacts.value();
+    return c.size() == 1 ? c.overlap[0] : -1;
+  };
+  CHECK(overlap("3", "-1") == Approx(2e-12).margin(1e-20));
+  CHECK(overlap("3.0001", "-1") == Approx(2e-12).margin(1e-20));
+  CHECK(overlap("3.1", "-1") == Approx(-0.1));
+  CHECK(overlap("3.0001", "1") == Approx(-1e-4));  // attraction across a gap
+  CHECK(overlap("3.0001", "0") == -1);
+  CHECK(overlap("2.9", "0") == Approx(0.1));
 }
 
 TEST_CASE("contacts that do not fit are refused with their line") {

@@ -3,10 +3,21 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <vtkCell.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include "core/error.hpp"
 #include "core/formats/packing_output.hpp"
 #include "core/formats/packing_series.hpp"
+#include "core/formats/vtk_file.hpp"
 #include "tests/core/random_packing.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -59,7 +70,7 @@ TEST_CASE("VTK's XML files bring everything back to the last bit") {
   const Snapshot s = random_packing(500);
   const auto file = folder / GENERATE("a.vtu", "a.vtp");
   write_packing(file, s);
-  const Snapshot t = read_packing(file);
+  const Snapshot read = read_packing(file), t = with_rows(read, id_order(read));
   CHECK(t.position == s.position);
   CHECK(t.radius == s.radius);
   CHECK(t.id == s.id);
@@ -69,6 +80,44 @@ TEST_CASE("VTK's XML files bring everything back to the last bit") {
   CHECK(t.domain.periodic == s.domain.periodic);
   CHECK(t.time == s.time);
   CHECK(t.step == s.step);
+}
+
+TEST_CASE("VTK's own readers see in XML files what was written") {
+  const TemporaryFolder folder;
+  const Snapshot s = random_packing(200);
+  write_packing(folder / "a.vtu", s);
+  write_packing(folder / "a.vtp", s);
+  vtkNew<vtkXMLUnstructuredGridReader> grids;
+  vtkNew<vtkXMLPolyDataReader> surfaces;
+  grids->SetFileName((folder / "a.vtu").c_str());
+  surfaces->SetFileName((folder / "a.vtp").c_str());
+  grids->Update();
+  surfaces->Update();
+  REQUIRE(surfaces->GetOutput()->GetNumberOfVerts() == 200);
+  for (vtkPointSet* points :
+       {static_cast<vtkPointSet*>(grids->GetOutput()), static_cast<vtkPointSet*>(surfaces->GetOutput())}) {
+    REQUIRE(points->GetNumberOfPoints() == 200);
+    REQUIRE(points->GetNumberOfCells() == 200);
+    vtkPointData* data = points->GetPointData();
+    for (const char* name : {"radius", "id", "type", "velocity", "angular_velocity", "force"}) {
+      CAPTURE(name);
+      REQUIRE(data->GetArray(name));
+    }
+    for (vtkIdType k = 0; k < 200; ++k) {
+      const auto i = static_cast<std::size_t>(k);  // rows are by id, and so is the packing
+      CHECK(Vec3(points->GetPoint(k)) == s.position[i]);
+      CHECK(data->GetArray("radius")->GetTuple1(k) == s.radius[i]);
+      CHECK(data->GetArray("id")->GetTuple1(k) == static_cast<double>(s.id[i]));
+      CHECK(data->GetArray("type")->GetTuple1(k) == s.type[i]);
+      for (int c = 0; c < 3; ++c) {
+        CHECK(data->GetArray("force")->GetComponent(k, c) ==
+              s.fields.at("force").values[3 * i + static_cast<std::size_t>(c)]);
+      }
+      REQUIRE(points->GetCellType(k) == VTK_VERTEX);
+      CHECK(points->GetCell(k)->GetPointId(0) == k);
+    }
+    CHECK(points->GetFieldData()->GetArray(formats::vtk_time_name)->GetTuple1(0) == s.time);
+  }
 }
 
 TEST_CASE("Yade's spheres come with the interactions beside them") {
