@@ -60,8 +60,8 @@ std::vector<int> particle_contacts(const ContactNetwork& network, std::size_t pa
   return count;
 }
 
-std::vector<int> wall_contacts(const ContactNetwork& network, std::size_t particles) {
-  std::vector<int> count(particles, 0);
+std::vector<int> all_contacts(const ContactNetwork& network, std::size_t particles) {
+  std::vector<int> count = particle_contacts(network, particles);
   for (const auto& wall : network.walls) ++count[wall.row];
   return count;
 }

@@ -35,7 +35,7 @@ ContactNetwork contact_network(const Snapshot& snapshot);
 /// (N) contacts with particles of every particle.
 std::vector<int> particle_contacts(const ContactNetwork& network, std::size_t particles);
 
-/// (N) contacts with boundaries of every particle.
-std::vector<int> wall_contacts(const ContactNetwork& network, std::size_t particles);
+/// (N) contacts of every particle with particles and boundaries.
+std::vector<int> all_contacts(const ContactNetwork& network, std::size_t particles);
 
 }  // namespace packstone::analysis

@@ -27,31 +27,40 @@ void check_selection(const std::vector<std::string>& selection) {
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, of its interior and of regions, profiles", measure_packing},
-      {"voronoi", "local solid fraction by radical Voronoi cells", measure_voronoi, true},
-      {"structure", "coordination, radial distribution, bond order, fabric", measure_structure},
+      {"voronoi", "local solid fraction by radical Voronoi cells", measure_voronoi, true, voronoi_fields},
+      {"structure", "coordination, radial distribution, bond order, fabric", measure_structure, false,
+       structure_fields},
       {"pores", "sizes of the pores", measure_pores, true},
       {"segregation", "how well the types are mixed: by layers, rings, cells and contacts, against random mixing",
        measure_segregation},
       {"clusters", "clusters of like particles that touch, are near or press hard, against random labels",
-       measure_clusters},
-      {"forces", "forces of contacts, friction, stress, coarse-grained fields, force chains, k-cores", measure_forces},
-      {"communities", "communities of the network of forces", measure_communities, true},
+       measure_clusters, false, cluster_fields},
+      {"forces", "forces of contacts, friction, stress, coarse-grained fields, force chains, k-cores", measure_forces,
+       false, force_fields},
+      {"communities", "communities of the network of forces", measure_communities, true, community_fields},
       {"time", "how near the packing is to rest, granular temperature by height", measure_time},
   };
   return measures;
 }
 
-std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<std::string>& selection,
-                                   const Options& options) {
+std::vector<const Measure*> selected_measures(const std::vector<std::string>& selection) {
   check_selection(selection);
-  const Context context = make_context(snapshot, options);
-  std::vector<MeasureResult> results;
+  std::vector<const Measure*> measures;
   for (const auto& measure : all_measures()) {
     const bool selected = selection.empty()
                               ? !measure.on_request
                               : std::find(selection.begin(), selection.end(), measure.name) != selection.end();
-    if (selected) results.push_back(measure.function(snapshot, context));
+    if (selected) measures.push_back(&measure);
   }
+  return measures;
+}
+
+std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<std::string>& selection,
+                                   const Options& options) {
+  const auto measures = selected_measures(selection);
+  const Context context = make_context(snapshot, options);
+  std::vector<MeasureResult> results;
+  for (const Measure* measure : measures) results.push_back(measure->function(snapshot, context));
   return results;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/context.hpp"
+#include "analysis/particle_fields.hpp"
 #include "analysis/result.hpp"
 #include "core/snapshot.hpp"
 
@@ -20,20 +21,30 @@ MeasureResult measure_communities(const Snapshot& snapshot, const Context& conte
 MeasureResult measure_time(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_voronoi(const Snapshot& snapshot, const Context& context);
 
+/// What the measures know of every particle.
+std::vector<ParticleField> structure_fields(const Snapshot& snapshot, const Context& context);
+std::vector<ParticleField> cluster_fields(const Snapshot& snapshot, const Context& context);
+std::vector<ParticleField> force_fields(const Snapshot& snapshot, const Context& context);
+std::vector<ParticleField> community_fields(const Snapshot& snapshot, const Context& context);
+std::vector<ParticleField> voronoi_fields(const Snapshot& snapshot, const Context& context);
+
 struct Measure {
   std::string name;
   std::string description;  ///< one line
   MeasureResult (*function)(const Snapshot&, const Context&);
   bool on_request = false;  ///< takes long: only where it is named
+  std::vector<ParticleField> (*fields)(const Snapshot&, const Context&) = nullptr;  ///< the same ones for any snapshot
 };
 
 /// In the order of the output.
 const std::vector<Measure>& all_measures();
 
-/// The selected measures of one snapshot, in the order of all_measures(); when the selection is empty
-/// all but those on request.
-/// Throws InputError for an unknown name, naming the nearest and all there are, and for a snapshot that cannot be
-/// measured (make_context).
+/// The measures named, in the order of all_measures(); all but those on request when the selection is empty.
+/// Throws InputError for an unknown name, naming the nearest and all there are.
+std::vector<const Measure*> selected_measures(const std::vector<std::string>& selection);
+
+/// The selected measures (selected_measures) of one snapshot.
+/// Throws InputError for an unknown name and for a snapshot that cannot be measured (make_context).
 std::vector<MeasureResult> analyze(const Snapshot& snapshot, const std::vector<std::string>& selection = {},
                                    const Options& options = {});
 

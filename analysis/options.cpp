@@ -56,6 +56,7 @@ void check_options(const Options& o) {
   require(f.chain_angle > 0 && f.chain_angle <= right_angle, "the chains' angle", f.chain_angle,
           "above 0 and at most 90 degrees");
   require_not_negative("the kernel's width", f.kernel_width);
+  require_not_negative("the width of the coarse-grained fields' cells", f.coarse_cell);
   require(f.resolution > 0 && std::isfinite(f.resolution), "the communities' resolution", f.resolution, "above 0");
 }
 

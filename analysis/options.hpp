@@ -23,6 +23,7 @@ struct ForceOptions {
   double chain_angle = 45;     ///< largest angle of a chain's link to the stress of its particles [degrees]
   Kernel kernel = Kernel::lucy;
   double kernel_width = 0;  ///< standard deviation of the kernel along an axis [m]; 0: one mean radius
+  double coarse_cell = 0;   ///< width of the cells of the coarse-grained fields' grid [m]; 0: two kernel widths
   double resolution = 1;    ///< gamma of the communities: larger values give smaller communities
 };
 

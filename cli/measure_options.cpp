@@ -121,6 +121,8 @@ void add_forces(Verb& verb, analysis::ForceOptions& o) {
                            "Kernel of coarse-grained fields [lucy]");
   group.add_positive("--kernel-width", o.kernel_width,
                      "Standard deviation of that kernel along an axis [m] [one mean radius]");
+  group.add_positive("--coarse-cell", o.coarse_cell,
+                     "Width of the cells of --coarse [m] [two widths of the kernel, or as many cells as particles]");
   group.add("--community-resolution", o.resolution, "Larger values give smaller communities")
       .positive()
       .shows_default();

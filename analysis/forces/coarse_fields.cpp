@@ -42,6 +42,10 @@ using Sums = Eigen::MatrixXd;  // a column for each layer
 
 }  // namespace
 
+KnownFields known_fields(const Snapshot& snapshot, const ForceNetwork& network) {
+  return {snapshot.has_masses(), !velocities(snapshot).empty(), network.missing.empty()};
+}
+
 double kernel_width(const Snapshot& snapshot, const Context& context) {
   const double wanted = context.options.forces.kernel_width;
   double width = wanted > 0 ? wanted : context.mean_radius;
@@ -77,10 +81,10 @@ std::vector<CoarseCell> coarse_profile(const Snapshot& snapshot, const BedFrame&
 
   Sums sums = sum_in_blocks(snapshot.size(), zero, [&](Sums& s, std::size_t i) {
     const double z = inside(frame.height[i]);
-    const auto motion = motion_of(snapshot, velocity, i);
+    const auto particle = particle_column(snapshot, velocity, i);
     spread_over_layers(
         layers, z, z, range, [&](double h) { return kernel.below(h - z); },
-        [&](Eigen::Index layer, double share) { s.col(layer).head<motion_rows>() += share * motion; });
+        [&](Eigen::Index layer, double share) { s.col(layer).head<particle_rows>() += share * particle; });
   });
   sums += sum_in_blocks(network.size(), zero, [&](Sums& s, std::size_t k) {
     const ForceContact& contact = network.contacts[k];

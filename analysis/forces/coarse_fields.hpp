@@ -13,12 +13,20 @@ namespace packstone::analysis {
 
 /// The fields at one place.
 struct CoarseCell {
+  double solid_fraction = 0;       ///< sum V phi
   double density = 0;              ///< sum m phi [kg/m3]
   Vec3 momentum = Vec3::Zero();    ///< sum m v phi [kg/(m2 s)]; 0 without velocity
   Mat3 contact = Mat3::Zero();     ///< sum_c f (x) l int_0^1 phi ds over the branch, compression positive [Pa]
   Mat3 kinetic = Mat3::Zero();     ///< sum m v' (x) v' phi, v' against momentum / density [Pa]
   Vec3 wall_force = Vec3::Zero();  ///< sum of the forces of boundaries on particles, phi at the contact [N/m3]
 };
+
+/// Which of the fields the snapshot has what it takes for; solid fractions always.
+struct KnownFields {
+  bool mass, velocity, forces;
+};
+
+KnownFields known_fields(const Snapshot& snapshot, const ForceNetwork& network);
 
 /// Width of the kernel that the options ask for [m]: by default one mean radius, at most the domain along periodic
 /// axes; 0 where all radii are 0. Throws InputError when the width asked for is larger than a periodic side.

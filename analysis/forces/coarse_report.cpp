@@ -10,25 +10,13 @@ namespace packstone::analysis {
 namespace {
 
 std::vector<Column> field_columns() {
-  return {{"density", "kg/m3"},
-          {"velocity_x", "m/s"},
-          {"velocity_y", "m/s"},
-          {"velocity_z", "m/s"},
-          {"xx", "Pa"},
-          {"yy", "Pa"},
-          {"zz", "Pa"},
-          {"xy", "Pa"},
-          {"xz", "Pa"},
-          {"yz", "Pa"},
-          {"kinetic_pressure", "Pa"}};
+  return {{"solid_fraction"},    {"density", "kg/m3"}, {"velocity_x", "m/s"}, {"velocity_y", "m/s"},
+          {"velocity_z", "m/s"}, {"xx", "Pa"},         {"yy", "Pa"},          {"zz", "Pa"},
+          {"xy", "Pa"},          {"xz", "Pa"},         {"yz", "Pa"},          {"kinetic_pressure", "Pa"}};
 }
 
-/// What the snapshot has of the fields.
-struct Known {
-  bool mass, velocity, forces;
-};
-
-void append_fields(std::vector<double>& row, const CoarseCell& cell, const Known& known) {
+void append_fields(std::vector<double>& row, const CoarseCell& cell, const KnownFields& known) {
+  row.push_back(cell.solid_fraction);
   row.push_back(known.mass ? cell.density : no_value);
   for (int k = 0; k < 3; ++k) {
     row.push_back(known.velocity && cell.density > 0 ? cell.momentum[k] / cell.density : no_value);
@@ -48,12 +36,13 @@ Table profile_table(const Snapshot& snapshot, const Context& context, const Forc
   const Kernel kind = context.options.forces.kernel;
   Table table{
       .key = "coarse_profile",
-      .caption = "Coarse-grained fields (Goldhirsch, Granular Matter 12 (2010) 239) by height above the floor, " +
-                 kernel_text(kind, width) +
-                 ": means over the cross-section and the layer of density, velocity, stress (contacts and "
-                 "motion, symmetric part, compression positive), kinetic pressure, and upward force of "
-                 "boundaries on the particles; what lies farther below the floor than the kernel's range is "
-                 "left out",
+      .caption =
+          "Coarse-grained fields (Goldhirsch, Granular Matter 12 (2010) 239) by height above the floor, " +
+          kernel_text(kind, width) +
+          ": means over the cross-section and the layer of solid fraction, density, velocity, stress (contacts and "
+          "motion, symmetric part, compression positive), kinetic pressure, and upward force of "
+          "boundaries on the particles; what lies farther below the floor than the kernel's range is "
+          "left out",
       .columns = {{"lower", "m"}, {"upper", "m"}}};
   const auto columns = field_columns();
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
@@ -64,7 +53,7 @@ Table profile_table(const Snapshot& snapshot, const Context& context, const Forc
   const BedFrame& frame = context.frame;
   const Layers layers = coarse_layers(frame, snapshot.radius, kernel, width, profile_thickness(context));
   const auto cells = coarse_profile(snapshot, frame, network, kernel, layers);
-  const Known known{snapshot.has_masses(), !velocities(snapshot).empty(), network.missing.empty()};
+  const KnownFields known = known_fields(snapshot, network);
   for (std::size_t k = 0; k < layers.count; ++k) {
     std::vector<double> row{layers.lower(k), layers.upper(k)};
     append_fields(row, cells[k], known);

@@ -1,6 +1,5 @@
 // Measure "communities": parts of the packing within which the contacts carry more than the mean.
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -8,6 +7,7 @@
 
 #include "analysis/forces/communities.hpp"
 #include "analysis/forces/force_network.hpp"
+#include "analysis/group_ranks.hpp"
 #include "analysis/measures.hpp"
 
 namespace packstone::analysis {
@@ -47,13 +47,6 @@ std::vector<WeightedEdge> pressing_edges(const Snapshot& snapshot, const ForceNe
   return edges;
 }
 
-/// Particles of every community.
-std::vector<std::uint32_t> sizes_of(const std::vector<std::uint32_t>& label) {
-  std::vector<std::uint32_t> size(*std::max_element(label.begin(), label.end()) + 1, 0);
-  for (const auto l : label) ++size[l];
-  return size;
-}
-
 Table size_table(const std::vector<std::uint32_t>& sizes) {
   Table table{.key = "sizes",
               .caption = "Communities by the number of their particles, single particles included",
@@ -64,35 +57,40 @@ Table size_table(const std::vector<std::uint32_t>& sizes) {
   return table;
 }
 
-/// Largest community first, equal ones by their lowest id.
-Table member_table(const Snapshot& snapshot, const std::vector<std::uint32_t>& label,
-                   const std::vector<std::uint32_t>& sizes) {
+/// By id.
+Table member_table(const Snapshot& snapshot, const GroupRanks& ranks) {
   Table table{.key = "members",
               .caption =
                   "Particles by id, and the number of the community of each: 0 is the largest; equal ones by "
                   "their lowest id",
               .columns = {{"id", "", ColumnFormat::integer}, {"community", "", ColumnFormat::integer}}};
-  std::vector<std::int64_t> lowest(sizes.size(), std::numeric_limits<std::int64_t>::max());
-  for (std::size_t i = 0; i < label.size(); ++i) lowest[label[i]] = std::min(lowest[label[i]], snapshot.id[i]);
-  std::vector<std::uint32_t> order(sizes.size()), rank(sizes.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](auto a, auto b) { return sizes[a] != sizes[b] ? sizes[a] > sizes[b] : lowest[a] < lowest[b]; });
-  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  std::vector<std::uint32_t> row(label.size());
+  std::vector<std::uint32_t> row(ranks.of_particle.size());
   std::iota(row.begin(), row.end(), 0u);
   std::sort(row.begin(), row.end(), [&](auto a, auto b) { return snapshot.id[a] < snapshot.id[b]; });
   for (const auto i : row) {
-    table.rows.push_back({static_cast<double>(snapshot.id[i]), static_cast<double>(rank[label[i]])});
+    table.rows.push_back({static_cast<double>(snapshot.id[i]), static_cast<double>(ranks.of_particle[i])});
   }
   return table;
 }
 
-/// Why there is nothing to divide; empty where there is.
-std::string reason_against(const std::vector<WeightedEdge>& edges, const ForceNetwork& network) {
-  if (!network.missing.empty()) return network.missing;
-  const bool pressed = std::any_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.weight > 0; });
-  return pressed ? "" : "no particles press on each other";
+/// What the forces divide the packing into.
+struct Division {
+  std::string missing;  ///< why there is nothing to divide; empty where there is
+  std::vector<WeightedEdge> edges;
+  std::vector<std::uint32_t> label;  ///< (N)
+  GroupRanks ranks;
+};
+
+Division divided(const Snapshot& snapshot, double gamma) {
+  const ForceNetwork network = force_network(snapshot);
+  Division division{network.missing, pressing_edges(snapshot, network), {}, {}};
+  const bool pressed =
+      std::any_of(division.edges.begin(), division.edges.end(), [](const auto& edge) { return edge.weight > 0; });
+  if (division.missing.empty() && !pressed) division.missing = "no particles press on each other";
+  if (!division.missing.empty()) return division;
+  division.label = communities(division.edges, snapshot.size(), gamma);
+  division.ranks = group_ranks(division.label, snapshot.id);
+  return division;
 }
 
 }  // namespace
@@ -100,20 +98,17 @@ std::string reason_against(const std::vector<WeightedEdge>& edges, const ForceNe
 MeasureResult measure_communities(const Snapshot& snapshot, const Context& context) {
   const double gamma = context.options.forces.resolution;
   CommunityQuantities q(gamma);
-  const ForceNetwork network = force_network(snapshot);
-  const auto edges = pressing_edges(snapshot, network);
-  std::vector<std::uint32_t> label, sizes;
-  if (const std::string reason = reason_against(edges, network); !reason.empty()) {
-    for (Quantity* each : q.all()) *each = not_applicable(*each, reason);
+  const Division division = divided(snapshot, gamma);
+  const auto& sizes = division.ranks.size;
+  if (!division.missing.empty()) {
+    for (Quantity* each : q.all()) *each = not_applicable(*each, division.missing);
   } else {
-    label = communities(edges, snapshot.size(), gamma);
-    sizes = sizes_of(label);
-    const double particles = static_cast<double>(label.size());
+    const double particles = static_cast<double>(snapshot.size());
     const double single = static_cast<double>(std::count(sizes.begin(), sizes.end(), 1u));
     const double several = static_cast<double>(sizes.size()) - single;
-    q.modularity.value = geographic_modularity(edges, label, gamma);
+    q.modularity.value = geographic_modularity(division.edges, division.label, gamma);
     q.count.value = several;
-    q.largest.value = *std::max_element(sizes.begin(), sizes.end());
+    q.largest.value = sizes.front();
     q.single.value = single / particles;
     if (several > 0) {
       q.mean.value = (particles - single) / several;
@@ -123,8 +118,18 @@ MeasureResult measure_communities(const Snapshot& snapshot, const Context& conte
   }
   MeasureResult result{.name = "communities"};
   for (Quantity* each : q.all()) result.quantities.push_back(*each);
-  result.tables = {size_table(sizes), member_table(snapshot, label, sizes)};
+  result.tables = {size_table(sizes), member_table(snapshot, division.ranks)};
   return result;
+}
+
+std::vector<ParticleField> community_fields(const Snapshot& snapshot, const Context& context) {
+  const Division division = divided(snapshot, context.options.forces.resolution);
+  return {{.name = "community",
+           .definition =
+               "number of its community of forces, as in table members: 0 is the largest, equal ones by their "
+               "lowest id",
+           .values = as_values(division.ranks.of_particle),
+           .missing = division.missing}};
 }
 
 }  // namespace packstone::analysis

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr std::uint32_t shortest_chain = 3;
 constexpr std::uint32_t fewest_links_of_a_branch = 3;
-constexpr std::uint32_t no_chain = std::numeric_limits<std::uint32_t>::max();
 constexpr double rounding_slack = 1e-9;  // relative: equal stresses are not above their mean, 45 degrees is within 45
 
 struct StressedParticles {
@@ -100,7 +98,8 @@ ForceChains force_chains(const Snapshot& snapshot, const ForceNetwork& network, 
   ForceChains chains;
   const StressedParticles particles = stressed_particles(snapshot, network);
   chains.links = links_of(snapshot, network, particles, options);
-  const auto chain = chain_of_particles(snapshot, chains.links, chains.length);
+  chains.of_particle = chain_of_particles(snapshot, chains.links, chains.length);
+  const auto& chain = chains.of_particle;
   std::erase_if(chains.links, [&](const ChainLink& link) { return chain[link.first] == no_chain; });
   std::vector<std::uint32_t> ends(snapshot.size(), 0);
   for (ChainLink& link : chains.links) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "analysis/context.hpp"
@@ -17,11 +18,14 @@ struct ChainLink {
   std::uint32_t contact;  ///< index into ForceNetwork::contacts
 };
 
+inline constexpr std::uint32_t no_chain = std::numeric_limits<std::uint32_t>::max();
+
 struct ForceChains {
-  std::vector<std::uint32_t> length;  ///< particles of each chain, three or more
-  std::vector<ChainLink> links;       ///< by chain, then in the order of the contacts
-  std::size_t particles = 0;          ///< in chains
-  std::size_t branch_points = 0;      ///< particles of chains with three links or more
+  std::vector<std::uint32_t> length;       ///< particles of each chain, three or more
+  std::vector<ChainLink> links;            ///< by chain, then in the order of the contacts
+  std::vector<std::uint32_t> of_particle;  ///< (N) index into length; no_chain
+  std::size_t particles = 0;               ///< in chains
+  std::size_t branch_points = 0;           ///< particles of chains with three links or more
 };
 
 /// A particle can be in a chain when the largest (most compressive) principal stress of its own stress tensor

@@ -38,6 +38,12 @@ double lucy_share_integral(double q) {
   return 105.0 / 8 * q2 * (0.05 + q2 * (-1.0 / 24 + q2 * (0.05 + q * (-4.0 / 105 + q / 112))));
 }
 
+/// phi in the middle [1/m3].
+double peak(Kernel kind, double width) {
+  if (kind == Kernel::gaussian) return 1 / (std::pow(root_two_pi * width, 3) * gaussian_inside);
+  return 105 / (16 * std::numbers::pi * std::pow(lucy_range * width, 3));
+}
+
 }  // namespace
 
 CoarseKernel::CoarseKernel(Kernel kind, double width)
@@ -45,21 +51,12 @@ CoarseKernel::CoarseKernel(Kernel kind, double width)
       width_(width),
       range_(width * (kind == Kernel::lucy ? lucy_range : gaussian_cut)),
       per_scale_(1 / (kind == Kernel::lucy ? range_ : width_)),
+      peak_(peak(kind, width)),
       integral_at_range_(integral_from_middle(range_)) {}
 
 double CoarseKernel::integral_from_middle(double distance) const {
   const double x = distance * per_scale_;
   return (kind_ == Kernel::lucy ? lucy_share_integral(x) : gaussian_share_integral(x)) / per_scale_;
-}
-
-double CoarseKernel::density(double r) const {
-  if (r >= range_) return 0;
-  if (kind_ == Kernel::lucy) {
-    const double q = r / range_, rest = 1 - q;
-    return 105 / (16 * std::numbers::pi * range_ * range_ * range_) * (1 + 3 * q) * rest * rest * rest;
-  }
-  const double x = r / width_, peak = root_two_pi * width_;
-  return std::exp(-x * x / 2) / (peak * peak * peak * gaussian_inside);
 }
 
 double CoarseKernel::below(double h) const {

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "analysis/mean_diameter.hpp"
 #include "analysis/packing/fractions.hpp"
 #include "analysis/packing/images.hpp"
 #include "analysis/packing/interior.hpp"
 #include "analysis/packing/overlap_volume.hpp"
-#include "core/error.hpp"
 
 namespace packstone::analysis {
 
 namespace {
 
 constexpr double cells_a_particle = 8;  // of the default cell, at most
-constexpr double fewest_cells = 4096;   // that few particles may have
 constexpr std::size_t most_bands = 32;  // for threads to share
 
 struct Ball {
@@ -42,26 +38,8 @@ BoxRegion mapped_box(const Snapshot& snapshot, const Context& context, const Con
 
 double cell_width(const Snapshot& snapshot, const Context& context, double volume) {
   if (context.options.map_cell > 0) return context.options.map_cell;
-  const double most =
-      std::clamp(cells_a_particle * static_cast<double>(snapshot.size()), fewest_cells, most_map_cells / 2);
-  return std::max(volume_mean_diameter(snapshot.radius), std::cbrt(volume / most));
-}
-
-FractionMap empty_map(const BoxRegion& box, double width) {
-  FractionMap map;
-  const Vec3 size = box.max - box.min;
-  const Vec3 cells = (size / width).array().round().cwiseMax(1).matrix();
-  if (!(cells.prod() <= most_map_cells)) {
-    throw InputError(
-        fmt::format("a map with cells of {:g} m has {:.3g} cells; at most {:.3g} are made: take cells of "
-                    "{:.3g} m or more",
-                    width, cells.prod(), most_map_cells, 1.1 * std::cbrt(size.prod() / most_map_cells)));
-  }
-  map.origin = box.min;
-  map.spacing = size.cwiseQuotient(cells);
-  for (int k = 0; k < 3; ++k) map.count[k] = static_cast<std::size_t>(cells[k]);
-  map.fraction.assign(map.cells(), 0.0);
-  return map;
+  return suitable_width(volume_mean_diameter(snapshot.radius), volume,
+                        cells_a_particle * static_cast<double>(snapshot.size()), most_map_cells / 2);
 }
 
 /// Cells along one axis, from first to without last.
@@ -82,7 +60,7 @@ Range cells_between(const FractionMap& map, int axis, double lower, double upper
 /// takes one evaluation a corner rather than eight a cell.
 class SphereAdder {
  public:
-  explicit SphereAdder(FractionMap& map) : map_(map), cell_volume_(map.spacing.prod()) {}
+  explicit SphereAdder(FractionMap& map) : map_(map), cell_volume_(map.cell_volume()) {}
 
   void add(const Ball& ball, const Range& layers) {
     const Range x = cells_between(map_, 0, ball.centre.x() - ball.radius, ball.centre.x() + ball.radius);
@@ -211,16 +189,12 @@ Spread spread_over(const FractionMap& map, const RegionShape& region) {
 
 }  // namespace
 
-BoxRegion FractionMap::cell(std::size_t x, std::size_t y, std::size_t z) const {
-  const Vec3 low =
-      origin + spacing.cwiseProduct(Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)));
-  return {low, low + spacing};
-}
-
 FractionMap fraction_map(const Snapshot& snapshot, const Context& context, const Container& container) {
   const BoxRegion box = mapped_box(snapshot, context, container);
   if (snapshot.size() == 0 || !((box.max - box.min).minCoeff() > 0)) return {};
-  FractionMap map = empty_map(box, cell_width(snapshot, context, (box.max - box.min).prod()));
+  const double width = cell_width(snapshot, context, (box.max - box.min).prod());
+  FractionMap map{divided(box, width, most_map_cells, "a map"), {}};
+  map.fraction.assign(map.cells(), 0.0);
   const Bands bands = sorted_into_bands(snapshot, map);
 #pragma omp parallel
   {
@@ -256,7 +230,7 @@ void add_map(MeasureResult& result, const Snapshot& snapshot, const Context& con
   const Spread spread = interior.shape ? spread_over(map, *interior.shape) : Spread{};
   const std::string few = interior.shape ? "too few cells lie wholly in the interior" : interior.reason;
   if (map.cells() > 0) {
-    size.value = std::cbrt(map.spacing.prod());
+    size.value = std::cbrt(map.cell_volume());
   } else {
     size = not_applicable(size, snapshot.size() == 0 ? "no particles" : "no particle lies above the floor");
   }

@@ -1,12 +1,12 @@
 // Local solid fraction on a regular grid.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <vector>
 
 #include "analysis/context.hpp"
 #include "analysis/packing/container.hpp"
+#include "analysis/regular_grid.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone::analysis {
@@ -14,15 +14,8 @@ namespace packstone::analysis {
 /// 0.4 GB; a file takes as much again while it is written.
 inline constexpr double most_map_cells = 5e7;
 
-/// Cells of equal size, x fastest, then y, then z.
-struct FractionMap {
-  Vec3 origin = Vec3::Zero();             ///< lower corner of the first cell [m]
-  Vec3 spacing = Vec3::Ones();            ///< sides of a cell [m]
-  std::array<std::size_t, 3> count = {};  ///< cells along x, y, z
-  std::vector<double> fraction;           ///< (cells) solid over the cell's volume, also of cells that a wall cuts
-
-  std::size_t cells() const { return count[0] * count[1] * count[2]; }
-  BoxRegion cell(std::size_t x, std::size_t y, std::size_t z) const;
+struct FractionMap : RegularGrid {
+  std::vector<double> fraction;  ///< (cells) solid over the cell's volume, also of cells that a wall cuts
 };
 
 /// Exact parts of the spheres in every cell, overlaps counted twice, periodic images too. The grid covers the box about

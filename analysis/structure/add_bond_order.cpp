@@ -126,9 +126,7 @@ Table order_distribution(const BulkValues& bulk) {
 
 void add_bond_order(MeasureResult& result, const Snapshot& snapshot, const Context& context) {
   const Options& options = context.options;
-  const Bonds bonds = options.bond_neighbours > 0
-                          ? nearest_bonds(snapshot, static_cast<std::size_t>(options.bond_neighbours))
-                          : bonds_within(snapshot, options.bond_cutoff);
+  const Bonds bonds = chosen_bonds(snapshot, options);
   const std::vector<char> chosen = in_bulk(context);
   const BondOrder order = bond_order(snapshot, bonds, chosen);
   const BulkValues bulk = values_of(order, bonds, chosen);

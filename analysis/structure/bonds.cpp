@@ -77,4 +77,9 @@ Bonds nearest_bonds(const Snapshot& snapshot, std::size_t count) {
   });
 }
 
+Bonds chosen_bonds(const Snapshot& snapshot, const Options& options) {
+  return options.bond_neighbours > 0 ? nearest_bonds(snapshot, static_cast<std::size_t>(options.bond_neighbours))
+                                     : bonds_within(snapshot, options.bond_cutoff);
+}
+
 }  // namespace packstone::analysis

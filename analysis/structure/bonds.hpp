@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/options.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone::analysis {
@@ -25,5 +26,8 @@ Bonds bonds_within(const Snapshot& snapshot, double factor);
 
 /// The nearest others by distance of centres, so many or all there are; equally far ones by row.
 Bonds nearest_bonds(const Snapshot& snapshot, std::size_t count);
+
+/// The one or the other, as the options say.
+Bonds chosen_bonds(const Snapshot& snapshot, const Options& options);
 
 }  // namespace packstone::analysis

@@ -5,14 +5,12 @@
 #include "analysis/adjacency.hpp"
 #include "analysis/species.hpp"
 #include "analysis/structure/parts.hpp"
+#include "analysis/structure/rattlers.hpp"
 #include "analysis/structure/statistics.hpp"
 
 namespace packstone::analysis {
 
 namespace {
-
-/// Fewest contacts that can hold a sphere in place: d + 1 in d = 3 dimensions, without friction.
-constexpr int fewest_to_be_stable = 4;
 
 /// Contacts of every particle.
 struct Counts {
@@ -21,39 +19,21 @@ struct Counts {
   std::vector<int> backbone = {};  // of the particles that are no rattlers, in order of rows: among themselves
 };
 
-/// Contacts that remain when particles with fewer than four are taken away until none is left.
-std::vector<int> without_rattlers(const Adjacency& near, const std::vector<int>& all) {
-  std::vector<int> left(all);
-  std::vector<char> removed(all.size(), 0);
-  std::vector<std::uint32_t> queue;
-  const auto remove_if_loose = [&](std::size_t i) {
-    if (removed[i] || left[i] >= fewest_to_be_stable) return;
-    removed[i] = 1;
-    queue.push_back(static_cast<std::uint32_t>(i));
-  };
-  for (std::size_t i = 0; i < all.size(); ++i) remove_if_loose(i);
-  while (!queue.empty()) {
-    const std::uint32_t i = queue.back();
-    queue.pop_back();
-    for (const std::uint32_t other : near.of(i)) {
-      --left[other];
-      remove_if_loose(other);
-    }
-  }
+/// Contacts with each other of the particles that are no rattlers.
+std::vector<int> backbone_contacts(const Adjacency& near, const std::vector<char>& rattler) {
   std::vector<int> backbone;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (removed[i]) continue;
+  for (std::size_t i = 0; i < rattler.size(); ++i) {
+    if (rattler[i]) continue;
     const auto others = near.of(i);
     backbone.push_back(
-        static_cast<int>(std::count_if(others.begin(), others.end(), [&](std::uint32_t j) { return !removed[j]; })));
+        static_cast<int>(std::count_if(others.begin(), others.end(), [&](std::uint32_t j) { return !rattler[j]; })));
   }
   return backbone;
 }
 
 Counts counted(const ContactNetwork& contacts, const Adjacency& near, std::size_t particles) {
-  Counts counts{.particles = particle_contacts(contacts, particles), .all = wall_contacts(contacts, particles)};
-  for (std::size_t i = 0; i < particles; ++i) counts.all[i] += counts.particles[i];
-  counts.backbone = without_rattlers(near, counts.all);
+  Counts counts{.particles = particle_contacts(contacts, particles), .all = all_contacts(contacts, particles)};
+  counts.backbone = backbone_contacts(near, rattlers(near, counts.all));
   return counts;
 }
 

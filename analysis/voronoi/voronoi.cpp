@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "analysis/measures.hpp"
+#include "analysis/voronoi/snapshot_cells.hpp"
 #include "analysis/voronoi/whole_cells.hpp"
 #include "core/text.hpp"
 
@@ -214,11 +214,6 @@ void add_faces(MeasureResult& result, const WholeCells& cells, const std::string
   result.quantities.push_back(deviation);
 }
 
-RadicalCells no_cells(std::size_t particles) {
-  return {std::vector<double>(particles, 0.0), std::vector<std::uint16_t>(particles, 0),
-          std::vector<CellState>(particles, CellState::outside)};
-}
-
 std::string reason_against(const Snapshot& snapshot, const CellContainer* container, const Tally& tally,
                            const WholeCells& whole) {
   if (snapshot.size() == 0) return "no particles";
@@ -229,14 +224,7 @@ std::string reason_against(const Snapshot& snapshot, const CellContainer* contai
 }  // namespace
 
 MeasureResult measure_voronoi(const Snapshot& snapshot, const Context& context) {
-  std::vector<Vec3> centre;
-  for (const Vec3& p : snapshot.position) centre.push_back(snapshot.domain.wrapped(p));
-  std::optional<CellContainer> container;
-  if (!centre.empty()) container = cell_container(snapshot, centre);
-  if (container && !container->has_volume()) container.reset();
-  const RadicalCells cells = container ? radical_cells(centre, snapshot.radius, *container,
-                                                       BedSurface(context.frame, *container, centre, snapshot.radius))
-                                       : no_cells(snapshot.size());
+  const auto [container, cells] = snapshot_cells(snapshot, context);
   const CellContainer* used = container ? &*container : nullptr;
   const WholeCells whole = whole_cells(cells, snapshot.radius);
   const Tally tally = counted(cells);

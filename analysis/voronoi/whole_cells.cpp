@@ -19,6 +19,10 @@ struct Sums {
 
 }  // namespace
 
+double local_fraction(const RadicalCells& cells, std::span<const double> radius, std::size_t row) {
+  return cells.volume[row] > 0 ? sphere_volume(radius[row]) / cells.volume[row] : no_value;
+}
+
 WholeCells whole_cells(const RadicalCells& cells, std::span<const double> radius) {
   WholeCells whole;
   for (std::size_t i = 0; i < radius.size(); ++i) {
@@ -26,7 +30,7 @@ WholeCells whole_cells(const RadicalCells& cells, std::span<const double> radius
     whole.row.push_back(static_cast<std::uint32_t>(i));
     whole.solid.push_back(sphere_volume(radius[i]));
     whole.volume.push_back(cells.volume[i]);
-    whole.fraction.push_back(whole.solid.back() / whole.volume.back());
+    whole.fraction.push_back(local_fraction(cells, radius, i));
     whole.faces.push_back(cells.faces[i]);
   }
   return whole;
@@ -145,10 +149,9 @@ Table cell_table(const Snapshot& snapshot, const RadicalCells& cells) {
                   {"faces", "", ColumnFormat::integer},
                   {"state", "", ColumnFormat::integer}}};
   for (const std::size_t i : id_order(snapshot)) {
-    const bool present = cells.volume[i] > 0;
     table.rows.push_back({static_cast<double>(snapshot.id[i]), static_cast<double>(snapshot.type[i]), cells.volume[i],
-                          present ? sphere_volume(snapshot.radius[i]) / cells.volume[i] : no_value,
-                          static_cast<double>(cells.faces[i]), static_cast<double>(cells.state[i])});
+                          local_fraction(cells, snapshot.radius, i), static_cast<double>(cells.faces[i]),
+                          static_cast<double>(cells.state[i])});
   }
   return table;
 }

@@ -21,6 +21,9 @@ struct WholeCells {
   std::size_t size() const { return row.size(); }
 };
 
+/// Volume of a particle's sphere over that of its cell; no_value where it has no cell.
+double local_fraction(const RadicalCells& cells, std::span<const double> radius, std::size_t row);
+
 WholeCells whole_cells(const RadicalCells& cells, std::span<const double> radius);
 
 /// Mean and standard deviation: sample deviation (N - 1) of equal weights, 0 for one value.
