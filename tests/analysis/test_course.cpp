@@ -8,6 +8,7 @@
 #include "analysis/time/course.hpp"
 #include "analysis/time/rest.hpp"
 #include "core/error.hpp"
+#include "core/formats/packing_output.hpp"
 #include "core/run_folder.hpp"
 #include "tests/analysis/fixtures.hpp"
 #include "tests/temporary_folder.hpp"
@@ -116,6 +117,31 @@ TEST_CASE("displacements go the shortest way over periodic sides and count about
   CHECK(way[2] == Approx(4).margin(1e-9));
   CHECK(way[5] == Approx(30));
   CHECK_FALSE(result.quantity("kinetic_peak")->value);
+}
+
+TEST_CASE("particles of another program's dumps are followed by id, though their rows change with their places") {
+  const testing::TemporaryFolder folder;
+  Snapshot s = empty_box(Vec3(10, 10, 10), {true, true, false});
+  for (int k = 0; k < 8; ++k) add_particle(s, Vec3(1 + k, 5, 1 + k), 0.5);
+  write_packing(folder / "a.dump", s);
+  for (Vec3& p : s.position) p = Vec3(p.x() - 2, p.y(), 10 - p.z());  // the lowest comes to lie highest
+  s.time = 1;
+  for (Vec3& p : s.position) p = s.domain.wrapped(p);
+  write_packing(folder / "a.dump", s, true);
+  const RunReader run(folder / "a.dump");
+  CHECK(run.snapshot(0).id != run.snapshot(1).id);
+  SeriesOptions options;
+  options.only = {course_name};
+  options.trajectories = {1000, 1049};
+  const std::vector<std::size_t> both = {0, 1};
+  const MeasureResult course = analyze_series(run, both, options).back().results.back();
+  const auto& rows = course.table("trajectories")->rows;
+  REQUIRE(rows.size() == 4);
+  for (const auto& row : rows) {
+    if (row[0] == 0) continue;
+    CHECK(row[5] == Approx(-2));
+    CHECK(row[7] == Approx(row[1] == 1000 ? 8 : -6));  // from z = 1 to 9, from 8 to 2
+  }
 }
 
 TEST_CASE("particles that come later do not count, those that are gone end it") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "analysis/forces/force_network.hpp"
 #include "core/formats/packing_output.hpp"
 #include "core/formats/packing_series.hpp"
 #include "core/geometry.hpp"
@@ -78,6 +79,36 @@ TEST_CASE("forces of the dumps are those of the decks' law at the snapshot's ove
       CHECK((s.contacts->force[k] - expected).norm() < 1e-9);
     }
   }
+}
+
+TEST_CASE("contacts with LIGGGHTS' walls count as those of a snapshot") {
+  const Snapshot read = read_packing(PACKSTONE_SOURCE_DIR "/tests/data/liggghts_walls/bed.dump");
+  constexpr double pairs = 61, walls = 35, particles = 36;  // as the files of LIGGGHTS count
+  const auto structure = fixtures::measured(read, "structure");
+  CHECK(fixtures::value(structure, "contact_count") == pairs);
+  CHECK(fixtures::value(structure, "wall_contact_count") == walls);
+  CHECK(fixtures::value(structure, "coordination_with_walls") == Approx((2 * pairs + walls) / particles));
+  const testing::TemporaryFolder folder;
+  write_packing(folder / "bed.vtkhdf", read);
+  const Snapshot own = read_packing(folder / "bed.vtkhdf");
+  for (const char* measure : {"packing", "structure", "forces"}) check_same_measures(read, own, measure);
+}
+
+TEST_CASE("stress of LIGGGHTS' bed is that of its weight and of its walls' forces") {
+  // Virial of a bed at rest: what contacts carry along their branches, gravity and the walls do along the heights.
+  const Snapshot s = read_packing(PACKSTONE_SOURCE_DIR "/tests/data/liggghts_walls/bed.dump");
+  constexpr double gravity = 9.8;  // of the deck [m/s2]
+  double expected = 0, virial = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    expected += s.fields.at("mass").values[i] * gravity * s.position[i].z();
+  }
+  const auto network = analysis::force_network(s);
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    const Vec3& force = s.contacts->force[k];
+    virial += network.contacts[k].branch.z() * force.z();
+    if (network.contacts[k].at_wall()) expected -= s.contacts->point[k].z() * force.z();
+  }
+  CHECK(virial == Approx(expected).epsilon(2e-6));  // what still moves the particles
 }
 
 TEST_CASE("a series of LIGGGHTS keeps its instants, each with its contacts") {

@@ -45,7 +45,7 @@ TEST_CASE("a dump goes into a run folder and every other format") {
   }
   CHECK(RunReader(folder / "a.dump").snapshot_count() == 3);
   const Snapshot last = run.snapshot(2), table = RunReader(folder / "a.csv").snapshot(0);
-  const auto rows = last.rows_by_id();  // along a curve through space
+  const auto rows = last.rows_by_id();
   for (std::size_t i = 0; i < table.size(); ++i) CHECK(table.position[i] == last.position[rows.at(table.id[i])]);
 }
 
@@ -83,6 +83,37 @@ TEST_CASE("a scene gives the domain, groups, boundaries and gravity that a file 
   CHECK_FALSE(std::filesystem::exists(folder / "b.vtkhdf"));
 }
 
+TEST_CASE("walls of a dump are the scene's boundaries, in their order") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "scene.toml") << testing::small_scene;
+  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ";
+  const std::string box = "\nITEM: BOX BOUNDS pp pp ff\n0 0.2\n0 0.2\n0 0.4\nITEM: ";
+  std::ofstream(folder / "a.dump") << head << "ATOMS\n1" << box
+                                   << "ATOMS id type x y z radius\n1 1 0.1 0.1 0.019 0.02\n";
+  std::ofstream(folder / "pairs") << head << "ENTRIES\n0" << box << "ENTRIES id1 id2 fx fy fz\n";
+  const auto convert = [&](const std::string& wall) {
+    std::ofstream(folder / "walls") << head << "ENTRIES\n1" << box << "ENTRIES a b c d e f g h\n0.1 0.1 0 1 " << wall
+                                    << " 0 0 3\n";
+    return packstone_command("convert " + quoted(folder / "a.dump") + " " + quoted(folder / "a.vtkhdf") + " --like " +
+                             quoted(folder / "scene.toml") + " --contacts " + quoted(folder / "pairs") +
+                             " --wall-contacts " + quoted(folder / "walls") +
+                             " --wall-columns px,py,pz,id,wall,fx,fy,fz --overwrite");
+  };
+  auto result = convert("0");
+  INFO(result.output);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.output.empty());
+  const Snapshot s = read_snapshot(folder / "a.vtkhdf");
+  REQUIRE(s.contacts.value().size() == 1);
+  CHECK(s.contacts->second[0] == -1);
+  CHECK(s.contacts->force[0] == Vec3(0, 0, 3));
+  REQUIRE(s.boundaries.size() == 1);
+  CHECK(s.boundaries[0].name == "floor");
+  result = convert("1");
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.output, Contains("with 2 walls, the scene has 1 [[boundaries]]"));
+}
+
 TEST_CASE("info and analyze take files of other programs, and say what had to be assumed") {
   const TemporaryFolder folder;
   std::ofstream(folder / "a.txt") << "#format x_y_z_r\n0 0 0 1\n1.9 0 0 1\n";
@@ -111,6 +142,7 @@ TEST_CASE("a wrong call of convert gives one line and exit code 2, and spoils no
         "convert " + dump + " --time-step -1 " + quoted(folder / "a.csv"),
         "convert " + dump + " --like " + quoted(folder / "no.toml") + " " + quoted(folder / "a.csv"),
         "convert " + dump + " --contacts " + quoted(folder / "no.local") + " " + quoted(folder / "a.csv"),
+        "convert " + dump + " --wall-contacts " + quoted(folder / "no.wall") + " " + quoted(folder / "a.csv"),
         "convert " + quoted(folder / "absent*") + " " + quoted(folder / "a.csv")}) {
     const auto result = packstone_command(call);
     INFO(call << "\n" << result.output);
