@@ -18,16 +18,17 @@ namespace {
 
 constexpr double centre_tolerance = 1e-3;  ///< of the radius: what programs lose when they print few digits
 constexpr double most_cells = 1e6;         ///< along an axis
+constexpr double least_overlap = 1e-12;    ///< of the radius, of a contact that presses
 
-constexpr double least_overlap = 1e-12;  ///< of the radius, of a contact that presses
+constexpr const char* pair_option = "--contact-columns";
+constexpr const char* wall_option = "--wall-columns";
+constexpr const char* doubt = "do the columns mean what they are taken for";
 
 /// What presses touches, also where the few digits of a file leave no overlap.
 double touching(double overlap, double push, double radius) {
   const bool lost = overlap <= 0 && push > 0 && overlap > -centre_tolerance * radius;
   return lost ? least_overlap * radius : overlap;
 }
-
-constexpr const char* doubt = "do the columns mean what they are taken for";
 
 /// The k-th contact of a file, for messages.
 template <class Forces>
@@ -90,9 +91,6 @@ std::size_t row_of_id(const Finder& finder, const Forces& forces, std::size_t k,
   fail(forces, k, fmt::format("particle {} is not among those of the packing; {} ({})?", id, doubt, option));
 }
 
-constexpr const char* pair_option = "--contact-columns";
-constexpr const char* wall_option = "--wall-columns";
-
 /// A contact of the file with the rows of its particles.
 struct FoundPair {
   std::size_t first, second;  ///< rows
@@ -150,7 +148,7 @@ Contacts contacts_of_pairs(const Snapshot& s, const PairForces& pairs) {
     const Vec3 normal = apart.norm() > 0 ? apart.normalized() : Vec3::UnitZ();
     const double reach = s.radius[a] + s.radius[b];
     const double overlap = touching(reach - apart.norm(), pairs.force[k].dot(normal), reach);
-    if (overlap < -reach) {
+    if (!(overlap >= -reach) || !std::isfinite(overlap)) {
       fail(pairs, k,
            fmt::format("particles {} and {} are {:g} m apart, their radii {:g} m together; {} ({})?", s.id[a], s.id[b],
                        apart.norm(), reach, doubt, pair_option));
@@ -182,7 +180,7 @@ Contacts contacts_with_walls(const Snapshot& s, const WallForces& walls) {
     const Vec3 apart = s.domain.separation(s.position[i], walls.point[k]);
     const Vec3 normal = apart.normalized();
     const double overlap = touching(s.radius[i] - apart.norm(), walls.force[k].dot(normal), s.radius[i]);
-    if (overlap < -s.radius[i] || !(apart.norm() > 0)) {
+    if (!(overlap >= -s.radius[i]) || !(apart.norm() > 0)) {
       fail(walls, k,
            fmt::format(
                "the point of contact lies {:g} m from the centre of particle {}, whose radius is {:g} m; {} ({})?",

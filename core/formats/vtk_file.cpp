@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataReader.h>
 #include <vtkFieldData.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
@@ -56,6 +58,11 @@ vtkSmartPointer<vtkPointSet> read_with(const std::filesystem::path& path) {
   const QuietVtk quiet;
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
+  if constexpr (std::is_base_of_v<vtkDataReader, Reader>) {  // which else takes the first array of each kind
+    reader->ReadAllScalarsOn();
+    reader->ReadAllVectorsOn();
+    reader->ReadAllFieldsOn();
+  }
   reader->Update();
   vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (reader->GetErrorCode() != 0 || !points) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <map>
 #include <numeric>
+#include <string>
 
 #include "core/formats/text_output.hpp"
 #include "core/formats/vtk_file.hpp"
@@ -14,6 +16,18 @@ namespace {
 
 constexpr std::uint8_t vtk_vertex = 1;
 
+const std::map<char, const char*> entities = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+
+/// A name as XML takes it between quotes.
+std::string escaped(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    const auto entity = entities.find(c);
+    result += entity == entities.end() ? std::string(1, c) : entity->second;
+  }
+  return result;
+}
+
 /// Collects where each array's bytes will stand, then writes them one after the other.
 class Appended {
  public:
@@ -23,7 +37,8 @@ class Appended {
   void declare(const std::string& name, const char* type, int components, const T* values, std::size_t count,
                bool field = false) {
     out_.print("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
-               type, name, components, field ? fmt::format(" NumberOfTuples=\"{}\"", count / components) : "", offset_);
+               type, escaped(name), components, field ? fmt::format(" NumberOfTuples=\"{}\"", count / components) : "",
+               offset_);
     arrays_.push_back({reinterpret_cast<const char*>(values), count * sizeof(T)});
     offset_ += sizeof(std::uint64_t) + count * sizeof(T);
   }

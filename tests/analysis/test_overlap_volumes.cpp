@@ -18,7 +18,7 @@ using fixtures::quadrature;
 namespace {
 
 using Real = long double;
-constexpr Real pi = std::numbers::pi_v<Real>;
+constexpr Real circle_constant = std::numbers::pi_v<Real>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Integral of sqrt(r^2 - x^2) from 0.
@@ -74,7 +74,7 @@ Real box_by_sections(const Vec3& centre, double radius, const Vec3& min, const V
 /// Area that two circles share, centres a distance d apart.
 Real lens_area(Real a, Real b, Real d) {
   if (d >= a + b) return 0;
-  if (d <= std::abs(a - b)) return pi * std::min(a, b) * std::min(a, b);
+  if (d <= std::abs(a - b)) return circle_constant * std::min(a, b) * std::min(a, b);
   const auto half_angle = [&](Real r, Real other) {  // of r's arc inside the other circle
     const Real sine2 = (other - r + d) * (other + r - d), cosine2 = (r + d - other) * (r + d + other);
     return 2 * std::atan2(std::sqrt(std::max(0.0L, sine2)), std::sqrt(std::max(0.0L, cosine2)));

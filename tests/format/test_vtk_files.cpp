@@ -67,7 +67,8 @@ const std::string legacy =
 
 TEST_CASE("VTK's XML files bring everything back to the last bit") {
   const TemporaryFolder folder;
-  const Snapshot s = random_packing(500);
+  Snapshot s = random_packing(500);
+  s.fields["v_a<b & \"c\">"] = {1, "", s.radius};
   const auto file = folder / GENERATE("a.vtu", "a.vtp");
   write_packing(file, s);
   const Snapshot read = read_packing(file), t = with_rows(read, id_order(read));
@@ -76,6 +77,7 @@ TEST_CASE("VTK's XML files bring everything back to the last bit") {
   CHECK(t.id == s.id);
   CHECK(t.type == s.type);
   CHECK(t.fields.at("velocity").values == s.fields.at("velocity").values);
+  CHECK(t.fields.at("v_a<b & \"c\">").values == s.radius);
   CHECK(t.domain.max == s.domain.max);
   CHECK(t.domain.periodic == s.domain.periodic);
   CHECK(t.time == s.time);
