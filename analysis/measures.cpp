@@ -27,6 +27,8 @@ void check_selection(const std::vector<std::string>& selection) {
 const std::vector<Measure>& all_measures() {
   static const std::vector<Measure> measures = {
       {"packing", "solid fraction and height of the bed, of its interior and of regions, profiles", measure_packing},
+      {"surface", "free surface by a ball rolling over the bed: the volume under it, height, roughness",
+       measure_surface},
       {"voronoi", "local solid fraction by radical Voronoi cells", measure_voronoi, true, voronoi_fields},
       {"structure", "coordination, radial distribution, bond order, fabric", measure_structure, false,
        structure_fields},

@@ -12,6 +12,7 @@
 namespace packstone::analysis {
 
 MeasureResult measure_packing(const Snapshot& snapshot, const Context& context);
+MeasureResult measure_surface(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_structure(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_pores(const Snapshot& snapshot, const Context& context);
 MeasureResult measure_segregation(const Snapshot& snapshot, const Context& context);

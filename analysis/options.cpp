@@ -31,6 +31,8 @@ void check_options(const Options& o) {
   require_not_negative("the thickness of the segregation's layers", o.segregation_layer);
   require_not_negative("the width of the rings and shells at walls", o.wall_layer);
   require_not_negative("the width of the map's cells", o.map_cell);
+  require_not_negative("the radius of the surface's probe", o.surface_probe);
+  require_not_negative("the step of the surface", o.surface_step);
   require(o.interior_margin >= 0 && std::isfinite(o.interior_margin), "the interior's margin", o.interior_margin,
           "0 or above");
 

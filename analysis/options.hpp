@@ -40,8 +40,10 @@ struct Options {
   ClusterOptions clusters = {};
   std::vector<NamedRegion> regions = {};  ///< whose solid fraction is wanted
   double interior_margin = 2;             ///< from walls and surface to the interior, in volume-mean diameters
-  double wall_layer = 0;  ///< width of the rings and shells of the side walls' profiles [m]; 0: one mean radius
-  double map_cell = 0;    ///< width of the cells of the fraction map [m]; 0: one volume-mean diameter
+  double wall_layer = 0;     ///< width of the rings and shells of the side walls' profiles [m]; 0: one mean radius
+  double surface_probe = 0;  ///< radius of the ball that rolls over the surface [m]; 0: the volume-mean radius
+  double surface_step = 0;   ///< between the surface's columns [m]; 0: an eighth of the smaller of those two radii
+  double map_cell = 0;       ///< width of the cells of the fraction map [m]; 0: one volume-mean diameter
   ForceOptions forces = {};
   double segregation_cell = 0;  ///< edge of the cells of the segregation index [m]; 0: three mean diameters
   int segregation_rings = 0;    ///< rings of the segregation index; 0: by the size of the bed

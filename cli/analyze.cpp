@@ -1,5 +1,6 @@
 // packstone analyze: measures of snapshots as text, JSON and CSV.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "analysis/packing/fraction_map.hpp"
 #include "analysis/particle_fields.hpp"
 #include "analysis/series.hpp"
+#include "analysis/surface/surface_file.hpp"
 #include "analysis/time/course.hpp"
 #include "analysis/writers.hpp"
 #include "cli/comparison.hpp"
@@ -36,6 +38,7 @@ struct AnalyzeOptions {
   std::filesystem::path map;
   std::filesystem::path coarse;
   std::filesystem::path particles;
+  std::filesystem::path surface;
   analysis::Options measure;
   std::vector<std::int64_t> trajectories;
   bool list = false;
@@ -62,16 +65,21 @@ std::vector<analysis::TimedResults> measured(const RunReader& run, const Analyze
 
 /// The options that each name a file of one instant.
 std::vector<std::pair<const char*, std::filesystem::path>> files_of_one_instant(const AnalyzeOptions& options) {
-  return {{"--map", options.map}, {"--coarse", options.coarse}, {"--particles", options.particles}};
+  return {{"--map", options.map},
+          {"--coarse", options.coarse},
+          {"--surface", options.surface},
+          {"--particles", options.particles}};
 }
 
 /// What is missing from them, a sentence each.
 std::vector<std::string> write_files_of_one_instant(const RunReader& run, const AnalyzeOptions& options) {
   std::vector<std::string> missing;
-  if (options.map.empty() && options.coarse.empty() && options.particles.empty()) return missing;
+  const auto files = files_of_one_instant(options);
+  if (std::all_of(files.begin(), files.end(), [](const auto& file) { return file.second.empty(); })) return missing;
   const Snapshot snapshot = run.snapshot(selected_snapshots(run, options.at).front());
   if (!options.map.empty()) analysis::write_fraction_map(options.map, snapshot, options.measure);
   if (!options.coarse.empty()) analysis::write_coarse_fields(options.coarse, snapshot, options.measure);
+  if (!options.surface.empty()) analysis::write_surface(options.surface, snapshot, options.measure);
   if (options.particles.empty()) return missing;
   const auto fields = analysis::particle_fields(snapshot, options.only, options.measure);
   analysis::write_particles(options.particles, snapshot, fields);
@@ -165,6 +173,7 @@ void add_analyze(Program& program) {
                        analysis::particle_formats));
   verb.add("--coarse", options->coarse, "Write coarse-grained density, velocity and stress on a grid to FILE.vti");
   verb.add("--map", options->map, "Write the local solid fraction on a grid to FILE.vti");
+  verb.add("--surface", options->surface, "Write the free surface as triangles to FILE.vtp");
   verb.add("--trajectories", options->trajectories, "With --at all: ids of particles to follow, by comma").by_comma();
   verb.add_flag("--list", options->list, "List the measures");
   verb.add_flag("--quiet", options->quiet, "No text and no progress");

@@ -66,6 +66,10 @@ void add_packing(Verb& verb, analysis::Options& o) {
       "slab:AXIS,lower,upper; sphere:x,y,z,radius; cylinder:AXIS,u,v,lower,upper,radius; "
       "ring:AXIS,u,v,lower,upper,inner,outer; u, v: the axis' place in the other two coordinates");
   group.add_positive("--map-cell", o.map_cell, "Width of the map's cells [m] [one mean diameter weighted by volume]");
+  group.add_positive("--surface-probe", o.surface_probe,
+                     "Radius of the ball that rolls over the free surface [m] [mean radius weighted by volume]");
+  group.add_positive("--surface-step", o.surface_step,
+                     "Between the columns of the free surface [m] [an eighth of the ball's or that radius]");
   group.add_flag("--voronoi-cells", o.voronoi_cells, "Measure voronoi also lists the cell of every particle");
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <string>
 
 #include "core/formats/text_output.hpp"
+#include "core/formats/vtk_appended.hpp"
 #include "core/formats/vtk_file.hpp"
 
 namespace packstone::formats {
@@ -16,50 +16,7 @@ namespace {
 
 constexpr std::uint8_t vtk_vertex = 1;
 
-const std::map<char, const char*> entities = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-
-/// A name as XML takes it between quotes.
-std::string escaped(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const auto entity = entities.find(c);
-    result += entity == entities.end() ? std::string(1, c) : entity->second;
-  }
-  return result;
-}
-
-/// Collects where each array's bytes will stand, then writes them one after the other.
-class Appended {
- public:
-  explicit Appended(TextOutput& out) : out_(out) {}
-
-  template <class T>
-  void declare(const std::string& name, const char* type, int components, const T* values, std::size_t count,
-               bool field = false) {
-    out_.print("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
-               type, escaped(name), components, field ? fmt::format(" NumberOfTuples=\"{}\"", count / components) : "",
-               offset_);
-    arrays_.push_back({reinterpret_cast<const char*>(values), count * sizeof(T)});
-    offset_ += sizeof(std::uint64_t) + count * sizeof(T);
-  }
-
-  void write() {
-    out_.print("<AppendedData encoding=\"raw\">\n_");
-    for (const auto& [bytes, count] : arrays_) {
-      const std::uint64_t size = count;
-      out_.raw(&size, sizeof size);
-      out_.raw(bytes, count);
-    }
-    out_.print("\n</AppendedData>\n");
-  }
-
- private:
-  TextOutput& out_;
-  std::size_t offset_ = 0;
-  std::vector<std::pair<const char*, std::size_t>> arrays_;
-};
-
-void declare_point_data(Appended& data, const Snapshot& s) {
+void declare_point_data(VtkAppended& data, const Snapshot& s) {
   data.declare("radius", "Float64", 1, s.radius.data(), s.size());
   data.declare("id", "Int64", 1, s.id.data(), s.size());
   data.declare("type", "Int32", 1, s.type.data(), s.size());
@@ -86,7 +43,7 @@ void write_vtk_file(const std::filesystem::path& path, const Snapshot& s) {
   const std::vector<std::uint8_t> types(s.size(), vtk_vertex);
 
   TextOutput out(path);
-  Appended data(out);
+  VtkAppended data(out);
   out.print(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<{}>\n<FieldData>\n",

@@ -108,6 +108,43 @@ TEST_CASE("a run goes through info and analyze") {
   CHECK_THAT(result.output, Contains("--overwrite"));
 }
 
+TEST_CASE("analyze writes what is known at places: map, coarse fields, surface, particles") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "scene.toml") << small_scene;
+  const std::string run = quoted(folder / "run");
+  REQUIRE(packstone_command("run " + quoted(folder / "scene.toml") + " -o " + run + " --quiet").exit_code == 0);
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"--map", "map.vti"}, {"--coarse", "coarse.vti"}, {"--surface", "surface.vtp"}, {"--particles", "particles.csv"}};
+  std::string all = "analyze " + run + " --only packing,structure";
+  for (const auto& [option, name] : files) all += " " + option + " " + quoted(folder / name);
+  auto result = packstone_command(all);
+  INFO(result.output);
+  REQUIRE(result.exit_code == 0);
+  for (const auto& [option, name] : files) CHECK(std::filesystem::file_size(folder / name) > 1000);
+  const std::string particles = read_text_file(folder / "particles.csv");
+  CHECK_THAT(particles.substr(0, particles.find('\n')), Contains("radius [m]") && Contains("coordination"));
+  CHECK(std::count(particles.begin(), particles.end(), '\n') == 1 + 120);
+
+  const auto refused = [&](const std::string& call, const std::string& message) {
+    result = packstone_command("analyze " + run + call);
+    INFO(call << ": " << result.output);
+    CHECK(result.exit_code == 2);
+    CHECK(one_line(result.output));
+    CHECK_THAT(result.output, Contains(message));
+  };
+  for (const auto& [option, name] : files) {
+    const std::string file = quoted(folder / ("new_" + name));
+    refused(" --only packing --at all " + option + " " + file, option + " takes one instant");
+    refused(" " + run + " --only packing " + option + " " + file, option + " takes one run");
+    refused(" --only packing " + option + " " + quoted(folder / "new.txt"), "new.txt");
+  }
+  refused(" --only packing --particles " + quoted(folder / "new.csv"), "has values of particles");
+  refused(" --only surface --surface-step 1e-9", "--surface-step");
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    CHECK_THAT(entry.path().filename().string(), !StartsWith("new"));
+  }
+}
+
 TEST_CASE("a run that fails gives exit code 1, one that is interrupted 130, both with what they have") {
   const TemporaryFolder folder;
   std::ofstream(folder / "scene.toml") << small_scene;
