@@ -70,8 +70,14 @@ struct SurfaceQuantities {
                      .label = "roughness of the surface",
                      .unit = "m",
                      .definition = "standard deviation of its height over the cross-section"};
-  Quantity lowest{.key = "surface_lowest", .label = "lowest point of the surface", .unit = "m"};
-  Quantity highest{.key = "surface_highest", .label = "highest point of the surface", .unit = "m"};
+  Quantity lowest{.key = "surface_lowest",
+                  .label = "lowest point of the surface",
+                  .unit = "m",
+                  .definition = "above the floor, over the columns"};
+  Quantity highest{.key = "surface_highest",
+                   .label = "highest point of the surface",
+                   .unit = "m",
+                   .definition = "above the floor, over the columns"};
   Quantity probe{.key = "surface_probe",
                  .label = "radius of the rolling ball",
                  .unit = "m",

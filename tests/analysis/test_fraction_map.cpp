@@ -1,6 +1,5 @@
 // The local solid fraction on a grid, and its file.
 #include <cstring>
-#include <filesystem>
 #include <numbers>
 
 #include <catch2/catch.hpp>
@@ -12,6 +11,7 @@
 #include "core/files.hpp"
 #include "core/geometry.hpp"
 #include "tests/analysis/fixtures.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace packstone;
 using namespace packstone::fixtures;
@@ -111,10 +111,10 @@ TEST_CASE("a map's size is bounded") {
 
 TEST_CASE("a map is written as VTK image data") {
   const Snapshot s = mixture({true, true, true});
-  const auto path = std::filesystem::temp_directory_path() / "packstone_test_map.vti";
+  const testing::TemporaryFolder folder;
+  const auto path = folder / "map.vti";
   analysis::write_fraction_map(path, s, {.map_cell = 0.5});
   const std::string text = read_text_file(path);
-  std::filesystem::remove(path);
   CHECK_THAT(text, Contains("WholeExtent=\"0 12 0 10 0 8\" Origin=\"0 0 0\" Spacing=\"0.5 0.5 0.5\""));
   const std::size_t data = text.find("\n_") + 2;
   std::uint64_t bytes = 0;

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "tests/analysis/fixtures.hpp"
+#include "tests/temporary_folder.hpp"
 
 using namespace packstone;
 using namespace packstone::analysis;
@@ -31,12 +32,6 @@ std::vector<MeasureResult> made_up() {
                     .rows = {{0.0, 3, 0.5}, {0.1, 4, std::nan("")}}}};
   return {result};
 }
-
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "packstone_test_analysis_writers";
-  Folder() { std::filesystem::remove_all(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
 
 }  // namespace
 
@@ -91,40 +86,39 @@ TEST_CASE("text tells a reason that many numbers share once") {
 }
 
 TEST_CASE("CSV quotes what needs quotes") {
-  const Folder folder;
-  write_csv(folder.path, made_up());
-  CHECK(read_text_file(folder.path / "measures.csv") ==
+  const testing::TemporaryFolder folder;
+  write_csv(folder.path(), made_up());
+  CHECK(read_text_file(folder / "measures.csv") ==
         "measure,key,value,uncertainty,unit,definition,note\n"
         "packing,bulk_fraction,0.636271,0.00123,,\"of \"\"solid\"\", by volume\",\n"
         "packing,bed_height,0.1,,m,up,\n"
         "packing,lacey,,,,M,one type\n");
-  CHECK(read_text_file(folder.path / "packing_profile.csv") ==
+  CHECK(read_text_file(folder / "packing_profile.csv") ==
         "lower [m],count,fraction\n"
         "0,3,0.5\n"
         "0.1,4,\n");
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files += entry.is_regular_file();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) files += entry.is_regular_file();
   CHECK(files == 2);  // no temporary file is left
 }
 
 TEST_CASE("CSV of a series has a leading time") {
-  const Folder folder;
-  write_csv(folder.path, std::vector<TimedResults>{{0.5, 10, made_up()}, {1.0, 20, made_up()}});
-  CHECK(read_text_file(folder.path / "packing_profile.csv") ==
+  const testing::TemporaryFolder folder;
+  write_csv(folder.path(), std::vector<TimedResults>{{0.5, 10, made_up()}, {1.0, 20, made_up()}});
+  CHECK(read_text_file(folder / "packing_profile.csv") ==
         "time [s],lower [m],count,fraction\n"
         "0.5,0,3,0.5\n"
         "0.5,0.1,4,\n"
         "1,0,3,0.5\n"
         "1,0.1,4,\n");
-  CHECK_THAT(read_text_file(folder.path / "measures.csv"), Contains("\n1,packing,bed_height,0.1,,m,up,\n"));
+  CHECK_THAT(read_text_file(folder / "measures.csv"), Contains("\n1,packing,bed_height,0.1,,m,up,\n"));
 }
 
 TEST_CASE("a file that cannot be written is an error") {
-  const Folder folder;
-  std::filesystem::create_directories(folder.path);
-  write_text_file(folder.path / "file", "");
-  CHECK_THROWS_AS(write_csv(folder.path / "file" / "inside", made_up()), RunError);
-  CHECK_THROWS_AS(write_json(folder.path / "absent" / "x.json", to_json(made_up())), RunError);
+  const testing::TemporaryFolder folder;
+  write_text_file(folder / "file", "");
+  CHECK_THROWS_AS(write_csv(folder / "file" / "inside", made_up()), RunError);
+  CHECK_THROWS_AS(write_json(folder / "absent" / "x.json", to_json(made_up())), RunError);
 }
 
 TEST_CASE("text is aligned and says what does not apply") {
