@@ -108,14 +108,18 @@ MeasureResult measure_surface(const Snapshot& snapshot, const Context& context) 
   MeasureResult result{.name = "surface"};
   SurfaceQuantities q;
   const Container container = container_of(snapshot, context.frame);
-  if (const std::string reason = reason_against(snapshot, context, container); !reason.empty()) {
+  const auto without_values = [&](const std::string& reason) {
     for (const Quantity& each : q.all()) result.quantities.push_back(not_applicable(each, reason));
     return result;
+  };
+  if (const std::string reason = reason_against(snapshot, context, container); !reason.empty()) {
+    return without_values(reason);
   }
   const double area = region_volume(container.column(0, 0, 1));
   const double step = surface_step(snapshot, context, container);
   const SurfaceHeights surface = free_surface(snapshot, context, container, step);
   const HeightStatistics fine = statistics(surface);
+  if (!(fine.mean > 0)) return without_values("no column holds anything above the floor");
   const double coarse = statistics(free_surface(snapshot, context, container, 2 * step)).mean;
   const double relative = std::abs(coarse - fine.mean) / fine.mean;
 
