@@ -14,6 +14,8 @@ struct Domain {
   Vec3 max = Vec3::Ones();                               ///< upper corner [m]
   std::array<bool, 3> periodic = {false, false, false};  ///< periodic along x, y, z
 
+  bool operator==(const Domain&) const = default;
+
   Vec3 size() const { return max - min; }
 
   /// Shortest vector from b to a over the periodic images [m].

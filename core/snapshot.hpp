@@ -48,6 +48,8 @@ struct BoundaryRecord {
   std::vector<Vec3> points{};  ///< of its surface [m]; none of a plane, which has no end
   /// Corners, indices into points, in order around the normal.
   std::vector<std::array<std::int32_t, 3>> triangles{};
+
+  bool operator==(const BoundaryRecord&) const = default;
 };
 
 /// What a [[particles]] entry of the scene says about its particles.

@@ -119,9 +119,22 @@ void draw_triad(Drawing& drawing, const Camera& camera, Point origin, double fon
   }
 }
 
+/// Whole pixels about the text's line.
+void draw_time(Annotation& annotation, Point at, double time, double font) {
+  constexpr double above = 1.2, below = 0.4, beside = 0.2;  // of the font's size
+  const auto last = [](int side, double end) { return std::min(side, static_cast<int>(std::ceil(end))); };
+  annotation.left = std::max(0, static_cast<int>(at.x - beside * font));
+  annotation.top = std::max(0, static_cast<int>(at.y - above * font));
+  annotation.changing.width =
+      last(annotation.still.width, at.x + text_width(widest_time, font) + beside * font) - annotation.left;
+  annotation.changing.height = last(annotation.still.height, at.y + below * font) - annotation.top;
+  annotation.changing.text({at.x - annotation.left, at.y - annotation.top}, time_text(time), {.size = font});
+}
+
 /// From the column's bottom up: directions, scale bar, time.
-double draw_lower_column(Drawing& drawing, const PictureOptions& options, const UnitSpace& space, const Layout& layout,
-                         double time) {
+double draw_lower_column(Annotation& annotation, const PictureOptions& options, const UnitSpace& space,
+                         const Layout& layout, double time) {
+  Drawing& drawing = annotation.still;
   const double font = layout.font;
   double y = layout.column.bottom;
   if (options.axes) {
@@ -142,7 +155,7 @@ double draw_lower_column(Drawing& drawing, const PictureOptions& options, const 
     y -= (scale_bar_height + row_gap) * font;
   }
   if (options.time) {
-    drawing.text({layout.column.left, y}, time_text(time), {.size = font});
+    draw_time(annotation, {layout.column.left, y}, time, font);
     y -= (capital_height + row_gap) * font;
   }
   return y;
@@ -182,19 +195,20 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
            std::min(options.height - edge, content.bottom + missing / 2)}};
 }
 
-Drawing annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
-                 const Colouring& colouring, double time) {
-  Drawing drawing{options.width, options.height, {}};
+Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
+                    const Colouring& colouring, double time) {
+  Annotation annotation{.still = {options.width, options.height, {}}, .changing = {}};
+  Drawing& drawing = annotation.still;
   drawing.text({options.width / 2.0, margin * layout.font}, options.title,
                {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});
   if (options.scale && !layout.camera.parallel()) draw_edge_lengths(drawing, space, layout);
-  const double legend_bottom = draw_lower_column(drawing, options, space, layout, time);
+  const double legend_bottom = draw_lower_column(annotation, options, space, layout, time);
   if (has_legend(options, colouring)) {
     Box area = layout.column;
     area.bottom = legend_bottom;
     draw_legend(drawing, area, colouring, layout.font);
   }
-  return drawing;
+  return annotation;
 }
 
 }  // namespace packstone::viz

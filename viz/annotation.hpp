@@ -29,7 +29,12 @@ struct Layout {
 Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring);
 
 /// All that stands beside the particles.
-Drawing annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
-                 const Colouring& colouring, double time);
+struct Annotation {
+  Drawing still;     ///< the same for all frames of a film
+  Drawing changing;  ///< the time, in a drawing of its own that has its upper left corner at left, top of the picture
+  int left = 0, top = 0;
+};
+Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
+                    const Colouring& colouring, double time);
 
 }  // namespace packstone::viz

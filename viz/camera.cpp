@@ -141,10 +141,34 @@ void Camera::apply(vtkCamera& camera, int width, int height) const {
     camera.SetViewAngle(2 * std::atan(half_height) / degree);
   }
   camera.SetWindowCenter(1 - 2 * centre_.x / width, 2 * centre_.y / height - 1);
-  const double distance = at_.z() - nearest_;
+  camera.SetClippingRange(nearest_distance(), farthest_distance());
+}
+
+Vec3 Camera::point_at(Point pixel, double distance) const {
+  const double unit = (parallel_ ? 1 : distance) / focal_;
+  return (at_.x() + (pixel.x - centre_.x) * unit) * axes_[0] + (at_.y() - (pixel.y - centre_.y) * unit) * axes_[1] +
+         (at_.z() - distance) * axes_[2];
+}
+
+double Camera::nearest_distance() const {
   constexpr double nearest_share = 0.1;
-  camera.SetClippingRange(std::max(distance * nearest_share, distance - spare_depth),
-                          at_.z() - farthest_ + spare_depth);
+  const double distance = at_.z() - nearest_;
+  return std::max(distance * nearest_share, distance - spare_depth);
+}
+
+double Camera::farthest_distance() const { return at_.z() - farthest_ + spare_depth; }
+
+Camera Camera::finer(int factor) const {
+  Camera camera = *this;
+  camera.centre_ = {centre_.x * factor, centre_.y * factor};
+  camera.focal_ *= factor;
+  return camera;
+}
+
+Camera Camera::of_part(Point corner) const {
+  Camera camera = *this;
+  camera.centre_ = {centre_.x - corner.x, centre_.y - corner.y};
+  return camera;
 }
 
 }  // namespace packstone::viz

@@ -39,8 +39,27 @@ class Camera {
   /// True when a viewer sees the side of the plane that the normal points to.
   bool sees(const Vec3& point, const Vec3& normal) const;
 
+  /// The point at which the viewer looks straight [px].
+  Point centre() const { return centre_; }
+  /// Pixels per unit length (parallel), per unit slope (perspective).
+  double focal() const { return focal_; }
+  /// Of a point, from the viewer: to the right, down, away from him.
+  Vec3 seen_from_eye(const Vec3& p) const {
+    return {axes_[0].dot(p) - at_.x(), at_.y() - axes_[1].dot(p), at_.z() - axes_[2].dot(p)};
+  }
+  /// The point that a pixel shows at a distance from the viewer along the line of sight.
+  Vec3 point_at(Point pixel, double distance) const;
+  /// What lies nearer than this, along the line of sight, or farther than that is not drawn.
+  double nearest_distance() const;
+  double farthest_distance() const;
+
   /// Shifts the picture sideways.
   void move_right(double pixels) { centre_.x += pixels; }
+  /// The camera of the same picture in pixels a factor smaller, or of the part of it that begins at a pixel.
+  Camera finer(int factor) const;
+  Camera of_part(Point corner) const;
+
+  bool operator==(const Camera&) const = default;
 
   /// Sets VTK's camera for a picture of this size.
   void apply(vtkCamera& camera, int width, int height) const;
@@ -52,8 +71,8 @@ class Camera {
 
   std::array<Vec3, 3> axes_;
   bool parallel_;
-  Point centre_;            ///< pixel at which the viewer looks straight
-  double focal_ = 1;        ///< pixels per unit length (parallel), per unit slope (perspective)
+  Point centre_;
+  double focal_ = 1;
   Vec3 at_ = Vec3::Zero();  ///< the viewer's place along the axes
   double nearest_ = 0;      ///< of the box along the axis to the viewer
   double farthest_ = 0;

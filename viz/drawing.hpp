@@ -14,6 +14,8 @@ namespace packstone::viz {
 struct Point {
   double x = 0;
   double y = 0;
+
+  bool operator==(const Point&) const = default;
 };
 
 struct Box {
@@ -25,23 +27,31 @@ struct Box {
   double width() const { return right - left; }
   double height() const { return bottom - top; }
   Point centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+
+  bool operator==(const Box&) const = default;
 };
 
 struct Stroke {
   Colour colour = ink;
   double width = 1;
   std::vector<double> dashes;  ///< lengths drawn and left out in turn; empty for a solid line
+
+  bool operator==(const Stroke&) const = default;
 };
 
 struct Fill {
   Colour colour;
   double opacity = 1;
+
+  bool operator==(const Fill&) const = default;
 };
 
 /// An open line.
 struct LineMark {
   std::vector<Point> points;
   Stroke stroke;
+
+  bool operator==(const LineMark&) const = default;
 };
 
 /// A convex polygon.
@@ -49,6 +59,8 @@ struct PolygonMark {
   std::vector<Point> corners;
   std::optional<Fill> fill;
   std::optional<Stroke> outline;
+
+  bool operator==(const PolygonMark&) const = default;
 };
 
 struct DiscMark {
@@ -56,6 +68,8 @@ struct DiscMark {
   double radius = 0;
   Fill fill;
   std::optional<Stroke> outline;
+
+  bool operator==(const DiscMark&) const = default;
 };
 
 /// The area between two lines of equally many points.
@@ -63,6 +77,8 @@ struct BandMark {
   std::vector<Point> first;
   std::vector<Point> second;
   Fill fill;
+
+  bool operator==(const BandMark&) const = default;
 };
 
 enum class Side { low, middle, high };
@@ -74,17 +90,23 @@ struct TextStyle {
   Side along = Side::low;   ///< low: the base line is at the point; high: the capitals' top is
   bool upward = false;      ///< written from bottom to top
   bool bold = false;
+
+  bool operator==(const TextStyle&) const = default;
 };
 
 struct TextMark {
   Point at;
   std::string text;  ///< UTF-8, one line
   TextStyle style;
+
+  bool operator==(const TextMark&) const = default;
 };
 
 /// From here on nothing is drawn outside the box; without a box everything is again.
 struct ClipMark {
   std::optional<Box> box;
+
+  bool operator==(const ClipMark&) const = default;
 };
 
 using Mark = std::variant<LineMark, PolygonMark, DiscMark, BandMark, TextMark, ClipMark>;
@@ -104,6 +126,8 @@ struct Drawing {
   /// Nothing where the text is empty.
   void text(Point at, const std::string& text, TextStyle style);
   void clip(std::optional<Box> box);
+
+  bool operator==(const Drawing&) const = default;
 };
 
 /// Width of a line of text [px].

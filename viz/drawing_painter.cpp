@@ -191,7 +191,7 @@ Layer DrawingPainter::paint(const Drawing& drawing, int supersampling) {
   stage_->item->scale = supersampling;
   window.resize(drawing.width * supersampling, drawing.height * supersampling);
   window.render();
-  return average_down(window.rgba(), window.width(), window.height(), supersampling);
+  return average_down(window.rgba().data(), window.width(), window.height(), supersampling, Rows::bottom_first);
 }
 
 Image draw_image(const Drawing& drawing, int supersampling) {

@@ -41,7 +41,7 @@ Colour Image::at(int column, int row) const {
   return {p[0], p[1], p[2]};
 }
 
-Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width, int height, int factor) {
+Layer average_down(const std::uint8_t* rgba, int width, int height, int factor, Rows rows) {
   Layer layer{width / factor, height / factor, {}};
   layer.rgba.resize(static_cast<std::size_t>(layer.width) * layer.height * 4);
   const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
@@ -50,7 +50,9 @@ Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width
   for (int row = 0; row < layer.height; ++row) {
     std::fill(column_sums.begin(), column_sums.end(), 0);
     for (int k = 0; k < factor; ++k) {
-      const std::uint8_t* source = &rgba_bottom_first[(height - 1 - (row * factor + k)) * row_bytes];
+      const int from_top = row * factor + k;
+      const int index = rows == Rows::top_first ? from_top : height - 1 - from_top;
+      const std::uint8_t* source = &rgba[static_cast<std::size_t>(index) * row_bytes];
       for (std::size_t i = 0; i < row_bytes; ++i) column_sums[i] += source[i];
     }
     reduce(column_sums.data(), layer.width, factor, &layer.rgba[static_cast<std::size_t>(row) * layer.width * 4]);
@@ -75,6 +77,24 @@ Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
     std::copy(value, value + 3, &image.rgb[i * 3]);
   }
   return image;
+}
+
+Layer part_of(const Layer& layer, const PixelWindow& window) {
+  Layer part{window.width, window.height, {}};
+  part.rgba.reserve(window.pixels() * 4);
+  for (int row = window.top; row < window.bottom(); ++row) {
+    const auto first = layer.rgba.begin() + (static_cast<std::ptrdiff_t>(row) * layer.width + window.left) * 4;
+    part.rgba.insert(part.rgba.end(), first, first + static_cast<std::ptrdiff_t>(window.width) * 4);
+  }
+  return part;
+}
+
+void place(Image& whole, const Image& part, int left, int top) {
+  for (int row = 0; row < part.height; ++row) {
+    const auto source = part.rgb.begin() + static_cast<std::ptrdiff_t>(row) * part.width * 3;
+    std::copy_n(source, static_cast<std::ptrdiff_t>(part.width) * 3,
+                whole.rgb.begin() + (static_cast<std::ptrdiff_t>(top + row) * whole.width + left) * 3);
+  }
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {

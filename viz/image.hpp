@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "viz/pixel_window.hpp"
 #include "viz/style.hpp"
 
 namespace packstone::viz {
@@ -28,12 +29,21 @@ struct Layer {
   std::vector<std::uint8_t> rgba;  ///< (height * width * 4), top row first, colours premultiplied by alpha
 };
 
-/// Averages squares of factor x factor pixels of a picture given bottom row first; its sides are multiples of factor.
+/// Which row of a picture comes first in memory; OpenGL's is the lowest.
+enum class Rows { top_first, bottom_first };
+
+/// Averages squares of factor x factor pixels of a picture (height * width * 4), whose sides are multiples of factor.
 /// This is all the smoothing there is, so that tiles of a picture merge byte for byte.
-Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width, int height, int factor);
+Layer average_down(const std::uint8_t* rgba, int width, int height, int factor, Rows rows);
 
 /// Lays the layers over a plain ground, the first lowest. All have the same size.
 Image flatten(const std::vector<const Layer*>& layers, Colour ground);
+
+/// A part of a layer.
+Layer part_of(const Layer& layer, const PixelWindow& window);
+
+/// Puts a part in its place in a picture.
+void place(Image& whole, const Image& part, int left, int top);
 
 /// Text chunks of a PNG file: keyword ("Title", "Software", "Description", ...) and text.
 using PngText = std::vector<std::pair<std::string, std::string>>;

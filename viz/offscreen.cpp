@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -146,11 +145,12 @@ const std::vector<std::uint8_t>& OffscreenWindow::rgba() {
   return pixels_;
 }
 
-float OffscreenWindow::depth(int column, int row) const {
-  vtkNew<vtkFloatArray> value;
-  if (context_->window->GetZbufferData(column, row, column, row, value) == 0)
+std::vector<float> OffscreenWindow::depths() const {
+  std::vector<float> depths(static_cast<std::size_t>(width_) * height_);
+  if (context_->window->GetZbufferData(0, 0, width_ - 1, height_ - 1, depths.data()) == 0) {
     throw RunError("VTK cannot read the depth");
-  return value->GetValue(0);
+  }
+  return depths;
 }
 
 }  // namespace packstone::viz

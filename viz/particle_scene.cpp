@@ -1,181 +1,137 @@
 #include "viz/particle_scene.hpp"
 
-#include <numeric>
-
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkOpenGLSphereMapper.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
-#include <vtkUnsignedCharArray.h>
+#include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "core/error.hpp"
 #include "viz/annotation.hpp"
-#include "viz/container.hpp"
-#include "viz/drawing_painter.hpp"
-#include "viz/occlusion.hpp"
-#include "viz/offscreen.hpp"
+#include "viz/composition.hpp"
+#include "viz/label_layer.hpp"
+#include "viz/sphere_cloud.hpp"
+#include "viz/sphere_layer.hpp"
+#include "viz/wall_layer.hpp"
 
 namespace packstone::viz {
 
 namespace {
 
-constexpr const char* radius_array = "radius";
-
-/// Lights that go with the viewer: one beside him, the key light over the left shoulder, a weak one from the right; a
-/// small highlight from the key light. normalVCVSOutput is the normal as seen by the viewer: right, up, to him.
-constexpr const char* lighting = R"(
-  const vec3 key = vec3(-0.48, 0.69, 0.55);
-  const vec3 fill = vec3(0.91, 0.18, 0.37);
-  const vec3 halfway = vec3(-0.27, 0.39, 0.88);
-  vec3 n = normalVCVSOutput;
-  float light = 0.22 + 0.36 * max(n.z, 0.0) + 0.51 * max(dot(n, key), 0.0) + 0.12 * max(dot(n, fill), 0.0);
-  float shine = max(dot(n, halfway), 0.0);
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  gl_FragData[0] = vec4(min(diffuseColor * light + 0.10 * shine, 1.0), 1.0);
-)";
-
-/// The particles as sphere impostors: exact at any distance, two triangles' worth of work each.
-class Spheres {
- public:
-  explicit Spheres(vtkRenderer* renderer) {
-    mapper_->SetInputData(data_);
-    mapper_->SetScaleArray(radius_array);
-    mapper_->SetColorModeToDirectScalars();
-    actor_->SetMapper(mapper_);
-    // Replaces VTK's general lighting, which costs the software renderer twice the rest of the shader.
-    constexpr bool before_vtk = true;
-    constexpr bool every_place = false;
-    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", before_vtk, lighting, every_place);
-    renderer->AddActor(actor_);
-  }
-
-  /// Only the listed rows.
-  void update(const std::vector<Vec3>& centres, const std::vector<double>& radii, const std::vector<Colour>& colours,
-              const std::vector<std::size_t>& rows) {
-    const auto count = static_cast<vtkIdType>(rows.size());
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> sizes;
-    vtkNew<vtkUnsignedCharArray> tints;
-    vtkNew<vtkCellArray> vertices;  // the mapper draws vertex cells only
-    points->SetNumberOfPoints(count);
-    sizes->SetName(radius_array);
-    sizes->SetNumberOfValues(count);
-    tints->SetNumberOfComponents(3);
-    tints->SetNumberOfTuples(count);
-    vertices->AllocateExact(count, count);
-    for (vtkIdType i = 0; i < count; ++i) {
-      const std::size_t row = rows[static_cast<std::size_t>(i)];
-      points->SetPoint(i, centres[row].data());
-      sizes->SetValue(i, static_cast<float>(radii[row]));
-      const std::uint8_t rgb[] = {colours[row].r, colours[row].g, colours[row].b};
-      tints->SetTypedTuple(i, rgb);
-      vertices->InsertNextCell(1, &i);
-    }
-    data_->Initialize();
-    data_->SetPoints(points);
-    data_->SetVerts(vertices);
-    data_->GetPointData()->AddArray(sizes);
-    data_->GetPointData()->SetScalars(tints);
-    actor_->SetVisibility(count > 0);
-  }
-
- private:
-  vtkNew<vtkPolyData> data_;
-  vtkNew<vtkOpenGLSphereMapper> mapper_;
-  vtkNew<vtkActor> actor_;
-};
+constexpr int largest_tile = 1024;  // [samples] a side: its memory stays below 20 MB
 
 const PictureOptions& checked(const PictureOptions& options) {
   if (options.supersampling < 1) throw InputError("super-sampling takes 1 or more");
   if (options.width < 1 || options.height < 1) throw InputError("a picture has at least 1 x 1 px");
+  if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
   return options;
+}
+
+/// What a snapshot looks like from a camera.
+struct Frame {
+  UnitSpace space;
+  Colouring colouring;
+  Layout layout;
+  Camera camera;  // of the samples
+  std::vector<Vec3> centres;
+  std::vector<double> radii;
+  std::vector<SphereCloud> parts;
+
+  Frame(const Snapshot& snapshot, const PictureOptions& options)
+      : space(snapshot.domain),
+        colouring(colour_particles(snapshot, options.color, options.range)),
+        layout(lay_out(options, space, colouring)),
+        camera(layout.camera.finer(options.supersampling)),
+        centres(snapshot.size()),
+        radii(snapshot.size()) {
+    for (std::size_t row = 0; row < snapshot.size(); ++row) {
+      centres[row] = (snapshot.position[row] - space.centre) * space.scale;
+      radii[row] = snapshot.radius[row] * space.scale;
+    }
+    const auto count = static_cast<std::size_t>(options.parts);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t first = snapshot.size() * k / count, rows = snapshot.size() * (k + 1) / count - first;
+      parts.emplace_back(std::span(centres).subspan(first, rows), std::span(radii).subspan(first, rows),
+                         std::span(colouring.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first));
+    }
+  }
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+};
+
+void draw_spheres(SphereLayer& layer, const Frame& frame, const PixelWindow& window, bool cull) {
+  layer.reset(window);
+  layer.draw(frame.parts.front(), cull);
+  for (std::size_t k = 1; k < frame.parts.size(); ++k) {
+    SphereLayer other(frame.camera);
+    other.reset(window);
+    other.draw(frame.parts[k], cull);
+    layer.merge(other);
+  }
 }
 
 }  // namespace
 
 struct ParticlePainter::Stage {
-  OffscreenWindow window;
-  vtkNew<vtkRenderer> renderer;
-  Spheres spheres{renderer};
-  Container container{renderer};
-  DrawingPainter labels;
-  std::optional<UnitSpace> space;
+  WallLayer walls;
+  LabelLayer label_layer;
+  std::optional<Frame> frame;
+  const Layer* labels = nullptr;
 
-  Stage(int width, int height) : window(width, height) {
-    renderer->SetBackground(0, 0, 0);
-    renderer->SetBackgroundAlpha(0);
-    renderer->AutomaticLightCreationOff();  // the spheres bring their own, and all else is unlit
-    window.window()->AddRenderer(renderer);
-  }
+  explicit Stage(const PictureOptions& options) : walls(options.width, options.height, options.supersampling) {}
 };
 
 ParticlePainter::ParticlePainter(const PictureOptions& options)
-    : options_(checked(options)),
-      stage_(std::make_unique<Stage>(options.width * options.supersampling, options.height * options.supersampling)) {}
+    : options_(checked(options)), stage_(std::make_unique<Stage>(options)) {}
 
 ParticlePainter::~ParticlePainter() = default;
 
-void ParticlePainter::draw_spheres(const Snapshot& snapshot, const UnitSpace& space, const Colouring& colouring,
-                                   const Camera& camera) {
-  std::vector<Vec3> centres(snapshot.size());
-  std::vector<double> radii(snapshot.size());
-  for (std::size_t row = 0; row < snapshot.size(); ++row) {
-    centres[row] = (snapshot.position[row] - space.centre) * space.scale;
-    radii[row] = snapshot.radius[row] * space.scale;
+void ParticlePainter::show(const Snapshot& snapshot) {
+  stage_->frame.emplace(snapshot, options_);
+  const Frame& frame = *stage_->frame;
+  if (options_.container) {
+    constexpr double line_weight = 0.06;  // of the font size
+    stage_->walls.show(snapshot, frame.space, frame.camera, line_weight * frame.layout.font * options_.supersampling);
   }
-  std::vector<std::size_t> rows(snapshot.size());
-  if (options_.cull) {
-    rows = visible_rows(centres, radii, camera, options_.width, options_.height);
-  } else {
-    std::iota(rows.begin(), rows.end(), std::size_t{0});
-  }
-  stage_->spheres.update(centres, radii, colouring.colours, rows);
+  stage_->labels = &stage_->label_layer.paint(
+      annotate(options_, frame.space, frame.layout, frame.colouring, snapshot.time), options_.supersampling);
+}
+
+Image ParticlePainter::part(const PixelWindow& window) {
+  Image image{window.width, window.height, std::vector<std::uint8_t>(window.pixels() * 3)};
+  SphereLayer spheres(stage_->frame->camera);
+  // No tile reaches over two of the squares that the walls are drawn in.
+  const int tile = std::max(1, largest_tile / options_.supersampling);
+  const int patch = WallLayer::patch_side(options_.supersampling);
+  for_each_aligned_tile(window, patch, tile, [&](const PixelWindow& part) {
+    const PixelWindow samples = part.finer(options_.supersampling);
+    draw_spheres(spheres, *stage_->frame, samples, options_.cull);
+    if (options_.container) stage_->walls.prepare(samples);
+    const Layer particles = compose(spheres, options_.container ? &stage_->walls : nullptr, options_.supersampling);
+    const Layer labels = part_of(*stage_->labels, part);
+    place(image, flatten({&particles, &labels}, paper), part.left - window.left, part.top - window.top);
+  });
+  return image;
 }
 
 Image ParticlePainter::paint(const Snapshot& snapshot) {
-  const Colouring colouring = colour_particles(snapshot, options_.color, options_.range);
-  const UnitSpace space(snapshot.domain);
-  const Layout layout = lay_out(options_, space, colouring);
-  layout.camera.apply(*stage_->renderer->GetActiveCamera(), options_.width, options_.height);
-  draw_spheres(snapshot, space, colouring, layout.camera);
-  if (options_.container) {
-    constexpr double line_weight = 0.06;  // of the font size
-    stage_->container.update(snapshot, space.centre, space.scale, layout.camera, line_weight * layout.font);
-  } else {
-    stage_->container.hide();
-  }
-  stage_->space = space;
-  OffscreenWindow& window = stage_->window;
-  window.render();
-  const Layer particles = average_down(window.rgba(), window.width(), window.height(), options_.supersampling);
-  const Layer labels =
-      stage_->labels.paint(annotate(options_, space, layout, colouring, snapshot.time), options_.supersampling);
-  return flatten({&particles, &labels}, paper);
+  show(snapshot);
+  return part({0, 0, options_.width, options_.height});
 }
 
-std::optional<Vec3> ParticlePainter::surface_point(int column, int row) const {
-  const OffscreenWindow& window = stage_->window;
-  const int x = static_cast<int>((column + 0.5) * options_.supersampling);
-  const int y = window.height() - 1 - static_cast<int>((row + 0.5) * options_.supersampling);
-  const float depth = window.depth(x, y);
-  if (!stage_->space || depth >= 1) return std::nullopt;
-  double point[4];
-  stage_->renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);
-  stage_->renderer->DisplayToWorld();
-  stage_->renderer->GetWorldPoint(point);
-  return Vec3(point[0], point[1], point[2]) / point[3] / stage_->space->scale + stage_->space->centre;
+std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
+  const PixelWindow pixel = PixelWindow{column, row, 1, 1}.finer(options_.supersampling);
+  const PixelWindow sample{pixel.left + pixel.width / 2, pixel.top + pixel.height / 2, 1, 1};
+  const Frame& frame = *stage_->frame;
+  SphereLayer sphere(frame.camera);
+  draw_spheres(sphere, frame, sample, options_.cull);
+  float distance = *sphere.distances(0);
+  if (options_.container) {
+    stage_->walls.prepare(sample);
+    const auto [rgba, depth] = stage_->walls.row(0);
+    if (rgba[3] != 0) distance = std::min(distance, stage_->walls.distance(*depth));
+  }
+  if (!std::isfinite(distance)) return std::nullopt;
+  const Vec3 point = frame.camera.point_at({sample.left + 0.5, sample.top + 0.5}, distance);
+  return point / frame.space.scale + frame.space.centre;
 }
 
 Image draw_particles(const Snapshot& snapshot, const PictureOptions& options) {

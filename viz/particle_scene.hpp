@@ -9,10 +9,9 @@
 #include "viz/camera.hpp"
 #include "viz/colouring.hpp"
 #include "viz/image.hpp"
+#include "viz/pixel_window.hpp"
 
 namespace packstone::viz {
-
-struct UnitSpace;
 
 struct PictureOptions {
   int width = 1920;                 ///< [px]
@@ -28,6 +27,7 @@ struct PictureOptions {
   bool scale = true;  ///< lengths of the box's edges (iso), or a scale bar
   bool axes = true;   ///< directions of x, y, z
   bool cull = true;   ///< leaves out hidden particles first: the same picture, faster
+  int parts = 1;      ///< the particles are drawn in so many parts, merged by depth: the same picture
 };
 
 /// Draws snapshots, one after the other, with the same options.
@@ -40,13 +40,15 @@ class ParticlePainter {
   /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by.
   Image paint(const Snapshot& snapshot);
 
+  /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole.
+  void show(const Snapshot& snapshot);
+  Image part(const PixelWindow& window);
+
   /// The point [m] of a particle or wall seen at the middle of a pixel of the last picture; nothing on the ground.
-  std::optional<Vec3> surface_point(int column, int row) const;
+  std::optional<Vec3> surface_point(int column, int row);
 
  private:
   struct Stage;
-
-  void draw_spheres(const Snapshot& snapshot, const UnitSpace& space, const Colouring& colouring, const Camera& camera);
 
   PictureOptions options_;
   std::unique_ptr<Stage> stage_;

@@ -48,7 +48,7 @@ TEST_CASE("averaging down takes the mean of squares and turns the rows") {
   std::vector<std::uint8_t> pixels;
   for (const int value : {0, 10, 20, 30, 40, 40, 40, 40})
     pixels.insert(pixels.end(), 4, static_cast<std::uint8_t>(value));
-  const Layer layer = average_down(pixels, 2, 4, 2);
+  const Layer layer = average_down(pixels.data(), 2, 4, 2, Rows::bottom_first);
   REQUIRE(layer.width == 1);
   REQUIRE(layer.height == 2);
   CHECK(layer.rgba[0] == 40);

@@ -1,0 +1,51 @@
+// The container as pixels with their distances, drawn by VTK: what the spheres stand before and behind.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/snapshot.hpp"
+#include "viz/annotation.hpp"
+#include "viz/camera.hpp"
+#include "viz/pixel_window.hpp"
+
+namespace packstone::viz {
+
+/// Keeps its last picture: walls that stand still are drawn once. Large pictures are drawn in squares that do not
+/// depend on the windows asked for, as OpenGL rounds differently in other places.
+class WallLayer {
+ public:
+  /// Of a whole picture of width x height pixels, each of supersampling x supersampling samples.
+  WallLayer(int width, int height, int supersampling);
+  ~WallLayer();
+
+  /// What the next pictures show. The camera is that of the samples; line_width is of the container's edges, in
+  /// samples.
+  void show(const Snapshot& snapshot, const UnitSpace& space, const Camera& camera, double line_width);
+
+  /// Side of the squares that pictures are drawn in, in pixels of so many samples a side.
+  static int patch_side(int supersampling) { return std::max(1, most_samples / supersampling); }
+
+  /// A row of samples.
+  struct Row {
+    const std::uint8_t* rgba;  ///< (width * 4), premultiplied
+    const float* depth;        ///< (width) of OpenGL; see distance()
+  };
+  /// Draws the square that holds the window of samples where needed. The window reaches over one only.
+  void prepare(const PixelWindow& window);
+  /// Of the window prepared, from its left; the row counts from its top.
+  Row row(int row) const;
+
+  /// Along the camera's axis from the viewer.
+  float distance(float depth) const;
+
+ private:
+  static constexpr int most_samples = 4096;
+
+  struct Stage;
+  std::unique_ptr<Stage> stage_;
+};
+
+}  // namespace packstone::viz
