@@ -7,7 +7,7 @@
 
 #include "cli/command_line.hpp"
 #include "core/run_folder.hpp"
-#include "viz/image.hpp"
+#include "viz/png.hpp"
 
 namespace packstone::cli {
 

@@ -4,15 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <vtkErrorCode.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include "core/error.hpp"
-#include "core/files.hpp"
 
 namespace packstone::viz {
 
@@ -73,52 +66,6 @@ Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
       for (int k = 0; k < 3; ++k) value[k] = std::min(full, over[k] + (value[k] * left + full / 2) / full);
     }
     std::copy(value, value + 3, &image.rgb[i * 3]);
-  }
-  return image;
-}
-
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width, image.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row_bytes = static_cast<std::size_t>(image.width) * 3;
-  for (int row = 0; row < image.height; ++row) {
-    const auto source = image.rgb.begin() + static_cast<std::ptrdiff_t>(row * row_bytes);
-    std::copy_n(source, row_bytes, static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height - 1 - row, 0)));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToMemoryOn();
-  for (const auto& [key, value] : text) writer->AddText(key.c_str(), value.c_str());
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr) {
-    throw RunError(fmt::format("cannot encode {}", path.string()));
-  }
-  write_text_file(
-      path, {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetDataSize())});
-}
-
-Image read_png(const std::filesystem::path& path) {
-  vtkNew<vtkPNGReader> reader;
-  if (!std::filesystem::is_regular_file(path) || reader->CanReadFile(path.c_str()) == 0) {
-    throw InputError(fmt::format("{} is not a PNG file", path.string()));
-  }
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
-  const int channels = data->GetNumberOfScalarComponents();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || data->GetScalarType() != VTK_UNSIGNED_CHAR || channels < 3) {
-    throw InputError(fmt::format("{} is not an RGB picture of 8 bits", path.string()));
-  }
-  const int* size = data->GetDimensions();
-  Image image{size[0], size[1], {}};
-  image.rgb.reserve(static_cast<std::size_t>(image.width) * image.height * 3);
-  for (int row = image.height - 1; row >= 0; --row) {
-    const auto* source = static_cast<const std::uint8_t*>(data->GetScalarPointer(0, row, 0));
-    for (int column = 0; column < image.width; ++column, source += channels) {
-      image.rgb.insert(image.rgb.end(), source, source + 3);
-    }
   }
   return image;
 }

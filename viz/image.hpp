@@ -1,10 +1,7 @@
-// Pictures in memory: averaging down, laying one over the other, PNG files, and a score of how alike two are.
+// Pictures in memory: averaging down, laying one over the other, and a score of how alike two are.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "viz/style.hpp"
@@ -34,15 +31,6 @@ Layer average_down(const std::vector<std::uint8_t>& rgba_bottom_first, int width
 
 /// Lays the layers over a plain ground, the first lowest. All have the same size.
 Image flatten(const std::vector<const Layer*>& layers, Colour ground);
-
-/// Text chunks of a PNG file: keyword ("Title", "Software", "Description", ...) and text.
-using PngText = std::vector<std::pair<std::string, std::string>>;
-
-/// Writes under another name and renames: the file is whole or absent. Throws RunError when the disk refuses.
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
-
-/// Throws InputError when the file is not an RGB or RGBA picture of 8 bits; alpha is dropped.
-Image read_png(const std::filesystem::path& path);
 
 /// Mean absolute difference of two pictures over all pixels and channels after each was averaged over 4 x 4 squares:
 /// 0 for the same picture, 255 for white against black. The squares forgive what renderers do differently at edges, not

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "viz/drawing.hpp"
-#include "viz/image.hpp"
+#include "viz/png.hpp"
 
 namespace packstone::viz {
 
