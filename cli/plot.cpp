@@ -58,7 +58,7 @@ void add_plot(Program& program) {
   Verb verb = program.add_verb(plot_verb.name, plot_verb.description);
   verb.add("paths", options->paths, "Run folders").required();
   verb.add("--what", options->what, "Charts, by comma: " + joined(chart_names())).by_comma().required();
-  verb.add("-o,--output", options->output, "x.png or x.svg; a folder for several charts").required();
+  verb.add("-o,--output", options->output, "x.png, x.svg or x.pdf; a folder for several charts").required();
   verb.add("--size", options->size, "Width and height in pixels").shows_default();
   verb.set_action([options] { plot(*options); });
 }

@@ -44,7 +44,7 @@ void add_slice(Program& program) {
   Verb verb = program.add_verb(slice_verb.name, slice_verb.description);
   verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
   verb.add("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"").required();
-  verb.add("-o,--output", call->output, "x.png or x.svg").required();
+  verb.add("-o,--output", call->output, "x.png, x.svg or x.pdf").required();
   verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
   add_picture_options(verb, call->picture);
   verb.set_action([call] { slice(*call); });

@@ -5,6 +5,8 @@ class vtkTextProperty;
 
 namespace packstone::viz {
 
+inline constexpr const char* font_name = "DejaVu Sans";
+
 /// Names for SVG and HTML, the first being the one whose widths text_width measures.
 inline constexpr const char* font_names = "DejaVu Sans, Verdana, Arial, sans-serif";
 

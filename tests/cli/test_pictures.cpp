@@ -57,6 +57,8 @@ TEST_CASE("pictures, a film, a slice, charts and a report come out without a dis
   CHECK(std::filesystem::file_size(run.folder / "film.mp4") > 1000);
   done("slice " + run.path + run.out("cut.svg") + small + " --plane z=20mm", "");
   CHECK_THAT(read_text_file(run.folder / "cut.svg"), Contains("<svg") && Contains("<circle"));
+  done("slice " + run.path + run.out("cut.pdf") + small + " --plane z=20mm", "");
+  CHECK_THAT(read_text_file(run.folder / "cut.pdf"), StartsWith("%PDF-"));
   done("plot " + run.path + " --what energy,profile" + run.out("plots"), "");
   CHECK(is_png(run.folder / "plots/energy.png"));
   CHECK(is_png(run.folder / "plots/profile.png"));
