@@ -16,7 +16,9 @@ void save_drawing(const std::filesystem::path& path, const Drawing& drawing, int
   if (ending == ".svg") {
     write_text_file(path, svg_text(drawing, title));
   } else if (ending == ".png") {
-    write_png(path, draw_image(drawing, supersampling), text);
+    const auto& paper_size = drawing.paper_size;
+    write_png(path, draw_image(drawing, supersampling), text,
+              paper_size ? std::optional(paper_size->dots_per_inch) : std::nullopt);
   } else if (ending == ".pdf") {
     write_text_file(path, pdf_bytes(drawing, title));
   } else {

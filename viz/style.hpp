@@ -33,6 +33,10 @@ std::size_t line_round(std::size_t index);
 /// Viridis, from dark blue at t = 0 to yellow at t = 1; t outside is clamped, NaN gives no_value.
 Colour sequential_colour(double t);
 
+/// White around charts and slices, as a multiple of the font size.
+inline constexpr double usual_margin = 1.2;
+inline constexpr double print_margin = 0.3;  ///< on paper, where the page has its own
+
 /// Height of the letters' body for a picture of this size [px].
 double font_size(int width, int height);
 
