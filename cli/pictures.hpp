@@ -10,7 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "core/run_folder.hpp"
-#include "viz/offscreen.hpp"
+#include "viz/drawing_painter.hpp"
 #include "viz/png.hpp"
 #include "viz/print_size.hpp"
 
@@ -57,7 +57,7 @@ void take_size(const FigureCall& call, Options& options) {
   options.height = print->height();
   options.margin = viz::print_margin;
   options.font_scale = print->font() / viz::font_size(options.width, options.height);
-  const int fitting = viz::max_side / std::max(options.width, options.height);
+  const int fitting = viz::max_drawing_side / std::max(options.width, options.height);
   options.supersampling = std::clamp(fitting, 1, options.supersampling);
 }
 

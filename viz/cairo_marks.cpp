@@ -43,9 +43,7 @@ class CairoMarks {
 
   void operator()(const TextMark& mark) {
     const TextStyle& style = mark.style;
-    cairo_select_font_face(context_, font_name, CAIRO_FONT_SLANT_NORMAL,
-                           style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context_, style.size);
+    use_font(context_, style.size, style.bold);
     cairo_text_extents_t extents;
     cairo_text_extents(context_, mark.text.c_str(), &extents);
     constexpr double share_before[] = {0, 0.5, 1};
@@ -99,12 +97,6 @@ class CairoMarks {
 
 void draw_marks(cairo_t* context, const Drawing& drawing) {
   CairoMarks marks(context);
-  marks(PolygonMark{{{0, 0},
-                     {static_cast<double>(drawing.width), 0},
-                     {static_cast<double>(drawing.width), static_cast<double>(drawing.height)},
-                     {0, static_cast<double>(drawing.height)}},
-                    Fill{paper},
-                    std::nullopt});
   for (const Mark& mark : drawing.marks) std::visit(marks, mark);
 }
 

@@ -7,7 +7,7 @@ typedef struct _cairo cairo_t;
 
 namespace packstone::viz {
 
-/// Draws all marks on white paper. One unit of the context is one pixel of the drawing.
+/// Draws all marks. One unit of the context is one pixel of the drawing.
 void draw_marks(cairo_t* context, const Drawing& drawing);
 
 }  // namespace packstone::viz

@@ -1,4 +1,6 @@
 // Pictures for paper: what a ruler would find on the page.
+#include <cstdio>
+
 #include <catch2/catch.hpp>
 
 #include "core/files.hpp"
@@ -49,11 +51,12 @@ TEST_CASE("files for paper have their size on it") {
   CHECK_THAT(testing::shell("pdfinfo " + pdf).output, Contains("240.945 x 155.906 pts"));  // 85 and 55 / 25.4 * 72
   // The box around a word is as high as its font: 1.16 times 8 points in DejaVu Sans.
   const std::string boxes = testing::shell("pdftotext -bbox " + pdf + " -").output;
-  double top = 0, bottom = 0;
+  double left = 0, top = 0, right = 0, bottom = 0;
   const auto word = boxes.find("<word");
   REQUIRE(word != std::string::npos);
-  REQUIRE(std::sscanf(boxes.c_str() + word, "<word xMin=\"%*f\" yMin=\"%lf\" xMax=\"%*f\" yMax=\"%lf\"", &top,
-                      &bottom) == 2);
+  REQUIRE(std::sscanf(boxes.c_str() + word, "<word xMin=\"%lf\" yMin=\"%lf\" xMax=\"%lf\" yMax=\"%lf\"", &left, &top,
+                      &right, &bottom) == 4);
+  CHECK(right - left == Approx(text_width("Hamburg", 8)).epsilon(0.01));
   CHECK(bottom - top == Approx(8 * 1.164).epsilon(0.01));
   CHECK_THAT(read_text_file(folder / "a.png"), Contains(std::string("pHYs\0\0\x2e\x23\0\0\x2e\x23\x01", 13)));  // 11811
 }
