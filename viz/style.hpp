@@ -35,7 +35,8 @@ Colour sequential_colour(double t);
 
 /// White around charts and slices, as a multiple of the font size.
 inline constexpr double usual_margin = 1.2;
-inline constexpr double print_margin = 0.3;  ///< on paper, where the page has its own
+/// On paper, where the page has its own: room for half a number at the upper end of an axis.
+inline constexpr double print_margin = 0.5;
 
 /// Height of the letters' body for a picture of this size [px].
 double font_size(int width, int height);
