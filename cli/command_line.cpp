@@ -1,5 +1,6 @@
 #include "cli/command_line.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,18 @@ namespace packstone::cli {
 namespace {
 
 constexpr std::size_t help_column = 32;  ///< where the descriptions begin
+
+/// What CLI11's ranges let through.
+const CLI::Validator& is_number() {
+  static const CLI::Validator check(
+      [](const std::string& word) {
+        double value = 0;
+        const bool nan = CLI::detail::lexical_cast(word, value) && std::isnan(value);
+        return nan ? std::string("nan is no value") : std::string();
+      },
+      "");
+  return check;
+}
 
 int report(ExitCode code, const std::string& message) {
   const char* kind = code == ExitCode::interrupted ? "interrupted" : "error";
@@ -74,13 +87,23 @@ Option& Option::one_of(const std::vector<std::string>& words) {
   return *this;
 }
 
+Option& Option::needs(Option other) {
+  option_.needs(&other.option_);
+  return *this;
+}
+
+Option& Option::not_with(Option other) {
+  option_.excludes(&other.option_);
+  return *this;
+}
+
 Option& Option::positive() {
-  option_.check(CLI::PositiveNumber);
+  option_.check(CLI::PositiveNumber)->check(is_number());
   return *this;
 }
 
 Option& Option::not_negative() {
-  option_.check(CLI::NonNegativeNumber);
+  option_.check(CLI::NonNegativeNumber)->check(is_number());
   return *this;
 }
 
@@ -90,7 +113,7 @@ Option& Option::between(int lowest, int highest) {
 }
 
 Option& Option::between(double lowest, double highest) {
-  option_.check(CLI::Range(lowest, highest));
+  option_.check(CLI::Range(lowest, highest))->check(is_number());
   return *this;
 }
 

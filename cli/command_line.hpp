@@ -24,6 +24,8 @@ class Option {
   Option& one_at_a_time();                                ///< repeated for more values; a comma separates none
   Option& by_comma();                                     ///< several values in one word
   Option& one_of(const std::vector<std::string>& words);  ///< and no other
+  Option& needs(Option other);                            ///< is refused without it
+  Option& not_with(Option other);                         ///< is refused beside it
   Option& positive();                                     ///< above 0
   Option& not_negative();                                 ///< 0 or above
   Option& between(int lowest, int highest);               ///< both allowed

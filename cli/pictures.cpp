@@ -8,17 +8,52 @@
 #include "core/scene.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
+#include "viz/save_drawing.hpp"
 
 namespace packstone::cli {
 
 void add_picture_options(Verb& verb, PictureCall& call) {
   verb.add("--size", call.size, "Width and height in pixels").shows_default();
+  add_look_options(verb, call);
+}
+
+void add_look_options(Verb& verb, PictureCall& call) {
   verb.add("--color", call.color, "type, material, radius, speed, or a field of the snapshot").shows_default();
   verb.add("--range", call.range, "LOW:HIGH of the colour scale, SI");
   verb.add("--title", call.title, "Title [the run's]; - for none");
   verb.add("--supersampling", call.supersampling, "Every pixel is the mean of so many squared")
       .between(1, 4)
       .shows_default();
+}
+
+void add_figure_options(Verb& verb, FigureCall& call) {
+  constexpr double narrowest = 10, widest = 1000;  // [mm]
+  constexpr double smallest_font = 3, largest_font = 72;
+  constexpr double coarsest = 50, finest = 2400;
+  const Option size = verb.add("--size", call.size, "Width and height in pixels").shows_default();
+  Option width = verb.add("--width-mm", call.width_mm, "Width on paper, for journals").between(narrowest, widest);
+  Option height = verb.add("--height-mm", call.height_mm, "Height on paper").between(narrowest, widest);
+  width.needs(height).not_with(size);
+  height.needs(width);
+  verb.add("--font-pt", call.font_pt, "Size of the letters on paper")
+      .between(smallest_font, largest_font)
+      .shows_default()
+      .needs(width);
+  verb.add("--dpi", call.dpi, "Pixels to an inch of paper, of a PNG")
+      .between(coarsest, finest)
+      .shows_default()
+      .needs(width);
+}
+
+std::optional<viz::PrintSize> print_size(const FigureCall& call) {
+  if (call.width_mm == 0) return std::nullopt;
+  return viz::PrintSize{call.width_mm, call.height_mm, call.font_pt, call.dpi};
+}
+
+void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
+                 const std::string& title, const viz::PngText& text) {
+  if (const auto print = print_size(call)) viz::prepare_for_print(drawing, *print);
+  viz::save_drawing(path, drawing, supersampling, title, text);
 }
 
 std::pair<int, int> picture_size(const std::string& text) {

@@ -1,13 +1,18 @@
 // Options that the picture verbs share.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "cli/command_line.hpp"
 #include "core/run_folder.hpp"
-#include "viz/image.hpp"
+#include "viz/drawing_painter.hpp"
+#include "viz/png.hpp"
+#include "viz/print_size.hpp"
 
 namespace packstone::cli {
 
@@ -20,9 +25,45 @@ struct PictureCall {
 };
 
 void add_picture_options(Verb& verb, PictureCall& call);
+/// The same without --size.
+void add_look_options(Verb& verb, PictureCall& call);
 
 /// Width and height of "WxH" [px]. Throws InputError.
 std::pair<int, int> picture_size(const std::string& text);
+
+/// Size of a chart or a slice: in pixels or, for paper, in millimetres.
+struct FigureCall {
+  std::string size;
+  double width_mm = 0;  ///< 0: the size is in pixels
+  double height_mm = 0;
+  double font_pt = viz::PrintSize{}.font_pt;
+  double dpi = viz::PrintSize{}.dots_per_inch;
+};
+
+void add_figure_options(Verb& verb, FigureCall& call);
+
+/// The size on paper; nothing when it is in pixels.
+std::optional<viz::PrintSize> print_size(const FigureCall& call);
+
+/// Hands the size to the ChartOptions or SliceOptions. Throws InputError.
+template <class Options>
+void take_size(const FigureCall& call, Options& options) {
+  const auto print = print_size(call);
+  if (!print) {
+    std::tie(options.width, options.height) = picture_size(call.size);
+    return;
+  }
+  options.width = print->width();
+  options.height = print->height();
+  options.margin = viz::print_margin;
+  options.font_scale = print->font() / viz::font_size(options.width, options.height);
+  const int fitting = viz::max_drawing_side / std::max(options.width, options.height);
+  options.supersampling = std::clamp(fitting, 1, options.supersampling);
+}
+
+/// The drawing as a file, in the size asked for.
+void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
+                 const std::string& title, const viz::PngText& text = {});
 
 /// "LOW:HIGH" in SI; nothing when empty. Throws InputError.
 std::optional<std::pair<double, double>> colour_range(const std::string& text);

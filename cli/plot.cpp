@@ -11,7 +11,6 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "viz/save_drawing.hpp"
 
 namespace packstone::cli {
 
@@ -23,7 +22,8 @@ struct PlotOptions {
   std::vector<fs::path> paths;
   std::vector<std::string> what;
   fs::path output;
-  std::string size = "1600x1000";
+  FigureCall figure;
+  std::string title;
 };
 
 /// The file itself for one chart; for several, a folder that gets NAME.png each.
@@ -41,13 +41,12 @@ fs::path chart_file(const PlotOptions& options, const std::string& name) {
 void plot(const PlotOptions& options) {
   std::vector<RunReader> runs;
   for (const auto& path : options.paths) runs.emplace_back(path);
-  const auto [width, height] = picture_size(options.size);
   for (const std::string& name : options.what) {
     viz::Chart chart = make_chart(name, runs);
-    chart.options.width = width;
-    chart.options.height = height;
-    viz::save_drawing(chart_file(options, name), viz::chart_drawing(chart), chart.options.supersampling,
-                      chart.options.title);
+    take_size(options.figure, chart.options);
+    if (!options.title.empty()) chart.options.title = options.title == "-" ? "" : options.title;
+    save_figure(chart_file(options, name), viz::chart_drawing(chart), options.figure, chart.options.supersampling,
+                chart.options.title);
   }
 }
 
@@ -55,11 +54,13 @@ void plot(const PlotOptions& options) {
 
 void add_plot(Program& program) {
   auto options = std::make_shared<PlotOptions>();
+  options->figure.size = "1600x1000";
   Verb verb = program.add_verb(plot_verb.name, plot_verb.description);
   verb.add("paths", options->paths, "Run folders").required();
   verb.add("--what", options->what, "Charts, by comma: " + joined(chart_names())).by_comma().required();
-  verb.add("-o,--output", options->output, "x.png or x.svg; a folder for several charts").required();
-  verb.add("--size", options->size, "Width and height in pixels").shows_default();
+  verb.add("-o,--output", options->output, "x.png, x.svg or x.pdf; a folder for several charts").required();
+  add_figure_options(verb, options->figure);
+  verb.add("--title", options->title, "Title [the chart's]; - for none");
   verb.set_action([options] { plot(*options); });
 }
 

@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "viz/movie.hpp"
 #include "viz/particle_scene.hpp"
+#include "viz/png.hpp"
 
 namespace packstone::cli {
 

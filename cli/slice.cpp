@@ -9,7 +9,6 @@
 #include "cli/pictures.hpp"
 #include "cli/verbs.hpp"
 #include "core/run_folder.hpp"
-#include "viz/save_drawing.hpp"
 
 namespace packstone::cli {
 
@@ -20,6 +19,7 @@ struct SliceCall {
   std::filesystem::path output;
   std::string plane;
   std::string at = "last";
+  FigureCall figure;
   PictureCall picture;
 };
 
@@ -27,26 +27,27 @@ void slice(const SliceCall& call) {
   const RunReader run(call.path);
   const Snapshot snapshot = run.snapshot(run.index_at(call.at));
   viz::SliceOptions options;
-  std::tie(options.width, options.height) = picture_size(call.picture.size);
   options.supersampling = call.picture.supersampling;
+  take_size(call.figure, options);
   options.color = call.picture.color;
   options.range = colour_range(call.picture.range);
   options.title = picture_title(run, call.picture.title);
-  viz::save_drawing(call.output, viz::slice_drawing(snapshot, viz::plane_from_text(call.plane), options),
-                    options.supersampling, options.title, provenance(run, snapshot));
+  save_figure(call.output, viz::slice_drawing(snapshot, viz::plane_from_text(call.plane), options), call.figure,
+              options.supersampling, options.title, provenance(run, snapshot));
 }
 
 }  // namespace
 
 void add_slice(Program& program) {
   auto call = std::make_shared<SliceCall>();
-  call->picture.size = "1600x1200";
+  call->figure.size = "1600x1200";
   Verb verb = program.add_verb(slice_verb.name, slice_verb.description);
   verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
   verb.add("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"").required();
-  verb.add("-o,--output", call->output, "x.png or x.svg").required();
+  verb.add("-o,--output", call->output, "x.png, x.svg or x.pdf").required();
   verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
-  add_picture_options(verb, call->picture);
+  add_figure_options(verb, call->figure);
+  add_look_options(verb, call->picture);
   verb.set_action([call] { slice(*call); });
 }
 

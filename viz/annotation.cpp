@@ -119,16 +119,14 @@ void draw_triad(Drawing& drawing, const Camera& camera, Point origin, double fon
   }
 }
 
-/// Whole pixels about the text's line.
 void draw_time(Annotation& annotation, Point at, double time, double font) {
   constexpr double above = 1.2, below = 0.4, beside = 0.2;  // of the font's size
-  const auto last = [](int side, double end) { return std::min(side, static_cast<int>(std::ceil(end))); };
-  annotation.left = std::max(0, static_cast<int>(at.x - beside * font));
-  annotation.top = std::max(0, static_cast<int>(at.y - above * font));
-  annotation.changing.width =
-      last(annotation.still.width, at.x + text_width(widest_time, font) + beside * font) - annotation.left;
-  annotation.changing.height = last(annotation.still.height, at.y + below * font) - annotation.top;
-  annotation.changing.text({at.x - annotation.left, at.y - annotation.top}, time_text(time), {.size = font});
+  const int left = static_cast<int>(at.x - beside * font), top = static_cast<int>(at.y - above * font);
+  const int right = static_cast<int>(std::ceil(at.x + text_width(widest_time, font) + beside * font));
+  const int bottom = static_cast<int>(std::ceil(at.y + below * font));
+  const PixelWindow picture{0, 0, annotation.still.width, annotation.still.height};
+  annotation.changing_in = picture.common({left, top, right - left, bottom - top});
+  annotation.changing.text(at, time_text(time), {.size = font});
 }
 
 /// From the column's bottom up: directions, scale bar, time.
@@ -197,7 +195,8 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
 
 Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
                     const Colouring& colouring, double time) {
-  Annotation annotation{.still = {options.width, options.height, {}}, .changing = {}};
+  const Drawing empty{options.width, options.height, {}};
+  Annotation annotation{empty, empty, {}};
   Drawing& drawing = annotation.still;
   drawing.text({options.width / 2.0, margin * layout.font}, options.title,
                {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});

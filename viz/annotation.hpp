@@ -5,6 +5,7 @@
 #include "viz/colouring.hpp"
 #include "viz/drawing.hpp"
 #include "viz/particle_scene.hpp"
+#include "viz/pixel_window.hpp"
 
 namespace packstone::viz {
 
@@ -28,11 +29,11 @@ struct Layout {
 
 Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring);
 
-/// All that stands beside the particles.
+/// All that stands beside the particles, of the size of the picture.
 struct Annotation {
-  Drawing still;     ///< the same for all frames of a film
-  Drawing changing;  ///< the time, in a drawing of its own that has its upper left corner at left, top of the picture
-  int left = 0, top = 0;
+  Drawing still;            ///< the same for all frames of a film
+  Drawing changing;         ///< the time
+  PixelWindow changing_in;  ///< where that is drawn, and nothing else
 };
 Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
                     const Colouring& colouring, double time);

@@ -16,7 +16,7 @@ namespace packstone::viz {
 namespace {
 
 // All as multiples of the font size.
-constexpr double margin = 1.2;
+constexpr double last_number_room = 1.2;  ///< for half of what stands at the axis' end
 constexpr double title_size = 1.15;
 constexpr double title_room = 2.0;
 constexpr double key_length = 2.0;  ///< of the piece of line in the legend
@@ -254,10 +254,11 @@ Drawing chart_drawing(const Chart& chart) {
 
   const double font = frame.font;
   Drawing drawing{options.width, options.height, {}};
-  double top = margin * font;
-  const double bottom = options.height - margin * font - lower_room(font);
-  const double left = margin * font + left_room(frame.y, bottom - top, font);
-  const double right = options.width - 2 * margin * font;
+  const double edge = options.margin * font;
+  double top = edge;
+  const double bottom = options.height - edge - lower_room(font);
+  const double left = edge + left_room(frame.y, bottom - top, font);
+  const double right = options.width - edge - last_number_room * font;
   if (!options.title.empty()) {
     drawing.text({(left + right) / 2, top}, options.title,
                  {.size = title_size * font, .across = Side::middle, .along = Side::high, .bold = true});

@@ -8,6 +8,7 @@
 
 #include "viz/drawing.hpp"
 #include "viz/image.hpp"
+#include "viz/style.hpp"
 
 namespace packstone::viz {
 
@@ -42,6 +43,7 @@ struct ChartOptions {
   int height = 1000;  ///< [px]
   int supersampling = 2;
   double font_scale = 1;  ///< of the usual size for the picture
+  double margin = usual_margin;
 };
 
 struct Chart {

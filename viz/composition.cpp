@@ -30,8 +30,8 @@ Layer compose(const SphereLayer& spheres, const WallLayer* walls, int supersampl
   for (int row = 0; row < window.height; ++row) {
     compose_row(spheres, walls, row, &samples[static_cast<std::size_t>(row) * window.width]);
   }
-  return average_down(reinterpret_cast<const std::uint8_t*>(samples.data()), window.width, window.height, supersampling,
-                      Rows::top_first);
+  return average_down(reinterpret_cast<const std::uint8_t*>(samples.data()), window.width, window.height,
+                      supersampling);
 }
 
 }  // namespace packstone::viz

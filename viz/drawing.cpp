@@ -1,13 +1,10 @@
 #include "viz/drawing.hpp"
 
 #include <cmath>
+#include <memory>
 
-#include <vtkNew.h>
-#include <vtkStdString.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
+#include <cairo/cairo.h>
 
-#include "core/error.hpp"
 #include "viz/font.hpp"
 
 namespace packstone::viz {
@@ -40,17 +37,13 @@ void Drawing::text(Point at, const std::string& text, TextStyle style) {
 void Drawing::clip(std::optional<Box> box) { marks.emplace_back(ClipMark{box}); }
 
 double text_width(const std::string& text, double size, bool bold) {
-  constexpr int measured_size = 100;  // large, so that the rounding to whole pixels does not count
-  constexpr int dots_per_inch = 72;   // a point is a pixel
-  vtkNew<vtkTextProperty> property;
-  property->SetFontSize(measured_size);
-  use_font(property, bold);
-  int bounds[4] = {0, 0, 0, 0};
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (renderer == nullptr || !renderer->GetBoundingBox(property, vtkStdString(text), bounds, dots_per_inch)) {
-    throw RunError("VTK cannot measure text; is its FreeType part there?");
-  }
-  return (bounds[1] - bounds[0] + 1) * size / measured_size;
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
+  use_font(context.get(), size, bold);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context.get(), text.c_str(), &extents);
+  return extents.x_advance;
 }
 
 double baseline_shift(Side along) {

@@ -111,11 +111,21 @@ struct ClipMark {
 
 using Mark = std::variant<LineMark, PolygonMark, DiscMark, BandMark, TextMark, ClipMark>;
 
+/// What a drawing takes on paper.
+struct PaperSize {
+  double width_mm = 0;
+  double height_mm = 0;
+  double dots_per_inch = 0;  ///< pixels of the drawing to an inch
+
+  bool operator==(const PaperSize&) const = default;
+};
+
 /// The marks in the order they are drawn.
 struct Drawing {
   int width = 0;
   int height = 0;
   std::vector<Mark> marks;
+  std::optional<PaperSize> paper_size = std::nullopt;  ///< where it is made for paper (print_size.hpp)
 
   void line(Point from, Point to, const Stroke& stroke) { polyline({from, to}, stroke); }
   void polyline(const std::vector<Point>& points, const Stroke& stroke);

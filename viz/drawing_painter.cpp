@@ -1,197 +1,50 @@
 #include "viz/drawing_painter.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include <vtkBrush.h>
-#include <vtkContext2D.h>
-#include <vtkContextActor.h>
-#include <vtkContextDevice2D.h>
-#include <vtkContextItem.h>
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkPen.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkStdString.h>
-#include <vtkTextProperty.h>
+#include <cairo/cairo.h>
+#include <fmt/format.h>
 
-#include "viz/font.hpp"
-#include "viz/offscreen.hpp"
+#include "core/error.hpp"
+#include "viz/cairo_marks.hpp"
 
 namespace packstone::viz {
 
 namespace {
 
-/// Draws marks with VTK, whose y runs up.
-class MarkPainter {
- public:
-  MarkPainter(vtkContext2D* context, const Drawing& drawing, int scale)
-      : context_(context), height_(drawing.height), scale_(scale) {}
-
-  void operator()(const LineMark& mark) {
-    apply(mark.stroke);
-    for (const auto& piece : dashed(mark.points, mark.stroke.dashes)) {
-      if (piece.size() < 2) continue;
-      std::vector<float> points = flat(piece);
-      context_->DrawPoly(points.data(), static_cast<int>(piece.size()));
-    }
-  }
-
-  void operator()(const PolygonMark& mark) {
-    if (mark.fill) {
-      apply(*mark.fill);
-      std::vector<float> points = flat(mark.corners);
-      context_->DrawPolygon(points.data(), static_cast<int>(mark.corners.size()));
-    }
-    if (mark.outline) {
-      std::vector<Point> ring = mark.corners;
-      ring.push_back(ring.front());
-      (*this)(LineMark{ring, *mark.outline});
-    }
-  }
-
-  void operator()(const DiscMark& mark) {
-    // So many corners that none is further than this from the circle [px].
-    constexpr double tolerance = 0.1;
-    constexpr double fewest_corners = 12;
-    const double pixels = mark.radius * scale_;
-    const double corners = std::ceil(M_PI / std::acos(1 - std::min(1.0, tolerance / std::max(pixels, tolerance))));
-    PolygonMark polygon{{}, mark.fill, mark.outline};
-    const int count = static_cast<int>(std::max(fewest_corners, corners));
-    for (int i = 0; i < count; ++i) {
-      const double angle = 2 * M_PI * i / count;
-      polygon.corners.push_back(
-          {mark.centre.x + mark.radius * std::cos(angle), mark.centre.y + mark.radius * std::sin(angle)});
-    }
-    (*this)(polygon);
-  }
-
-  void operator()(const BandMark& mark) {
-    apply(mark.fill);
-    for (std::size_t i = 0; i + 1 < mark.first.size(); ++i) {
-      std::vector<float> quad = flat({mark.first[i], mark.first[i + 1], mark.second[i + 1], mark.second[i]});
-      context_->DrawQuad(quad.data());
-    }
-  }
-
-  void operator()(const TextMark& mark);
-
-  void operator()(const ClipMark& mark) {
-    vtkContextDevice2D* device = context_->GetDevice();
-    device->EnableClipping(mark.box.has_value());
-    if (!mark.box) return;
-    const Point corner = place({mark.box->left, mark.box->bottom});
-    int box[4] = {static_cast<int>(std::lround(corner.x)), static_cast<int>(std::lround(corner.y)),
-                  static_cast<int>(std::lround(mark.box->width() * scale_)),
-                  static_cast<int>(std::lround(mark.box->height() * scale_))};
-    device->SetClipping(box);
-  }
-
- private:
-  Point place(Point p) const { return {p.x * scale_, (height_ - p.y) * scale_}; }
-
-  std::vector<float> flat(const std::vector<Point>& points) const {
-    std::vector<float> result;
-    result.reserve(points.size() * 2);
-    for (const Point& p : points) {
-      const Point q = place(p);
-      result.push_back(static_cast<float>(q.x));
-      result.push_back(static_cast<float>(q.y));
-    }
-    return result;
-  }
-
-  void apply(const Stroke& stroke) {
-    context_->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    context_->GetPen()->SetColor(stroke.colour.r, stroke.colour.g, stroke.colour.b);
-    context_->GetPen()->SetWidth(static_cast<float>(stroke.width * scale_));
-  }
-
-  void apply(const Fill& fill) {
-    context_->GetPen()->SetLineType(vtkPen::NO_PEN);
-    context_->GetBrush()->SetColor(fill.colour.r, fill.colour.g, fill.colour.b);
-    context_->GetBrush()->SetOpacityF(fill.opacity);
-  }
-
-  vtkContext2D* context_;
-  double height_;
-  double scale_;
-};
-
-void MarkPainter::operator()(const TextMark& mark) {
-  const TextStyle& style = mark.style;
-  constexpr double upward_angle = 90;
-  constexpr double descent = 0.21;  // VTK's text boxes begin this share of the size below the base line
-  vtkTextProperty* property = context_->GetTextProp();
-  property->SetFontSize(static_cast<int>(std::lround(style.size * scale_)));
-  use_font(property, style.bold);
-  property->SetColor(style.colour.r / 255.0, style.colour.g / 255.0, style.colour.b / 255.0);
-  property->SetOrientation(style.upward ? upward_angle : 0);
-  property->SetVerticalJustificationToBottom();
-  switch (style.across) {
-    case Side::low:
-      property->SetJustificationToLeft();
-      break;
-    case Side::middle:
-      property->SetJustificationToCentered();
-      break;
-    case Side::high:
-      property->SetJustificationToRight();
-      break;
-  }
-  const double shift = (baseline_shift(style.along) + descent) * style.size;
-  const Point at = place(style.upward ? Point{mark.at.x + shift, mark.at.y} : Point{mark.at.x, mark.at.y + shift});
-  context_->DrawString(static_cast<float>(at.x), static_cast<float>(at.y), vtkStdString(mark.text));
+void check_size(int width, int height) {
+  if (std::min(width, height) >= 1 && std::max(width, height) <= max_drawing_side) return;
+  throw InputError(fmt::format("cannot draw {} x {} px (with its super-sampling); a side takes 1 to {} px", width,
+                               height, max_drawing_side));
 }
-
-class DrawingItem : public vtkContextItem {
- public:
-  vtkTypeMacro(DrawingItem, vtkContextItem) static DrawingItem* New();
-
-  bool Paint(vtkContext2D* context) override {
-    MarkPainter painter(context, *drawing, scale);
-    for (const Mark& mark : drawing->marks) std::visit(painter, mark);
-    return true;
-  }
-
-  const Drawing* drawing = nullptr;
-  int scale = 1;
-};
-vtkStandardNewMacro(DrawingItem);
 
 }  // namespace
 
-struct DrawingPainter::Stage {
-  Stage() : window(1, 1) {
-    constexpr int dots_per_inch = 72;  // a point of the font is a pixel
-    actor->GetScene()->AddItem(item);
-    renderer->AddActor(actor);
-    renderer->SetBackground(0, 0, 0);
-    renderer->SetBackgroundAlpha(0);
-    window.window()->SetDPI(dots_per_inch);
-    window.window()->AddRenderer(renderer);
-    actor->GetScene()->SetRenderer(renderer);
-  }
-
-  OffscreenWindow window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkContextActor> actor;
-  vtkNew<DrawingItem> item;
-};
-
-DrawingPainter::DrawingPainter() : stage_(std::make_unique<Stage>()) {}
-
-DrawingPainter::~DrawingPainter() = default;
-
 Layer DrawingPainter::paint(const Drawing& drawing, int supersampling) {
-  OffscreenWindow& window = stage_->window;
-  stage_->item->drawing = &drawing;
-  stage_->item->scale = supersampling;
-  window.resize(drawing.width * supersampling, drawing.height * supersampling);
-  window.render();
-  return average_down(window.rgba().data(), window.width(), window.height(), supersampling, Rows::bottom_first);
+  return paint(drawing, {0, 0, drawing.width, drawing.height}, supersampling);
+}
+
+Layer DrawingPainter::paint(const Drawing& drawing, const PixelWindow& window, int supersampling) {
+  const int width = window.width * supersampling, height = window.height * supersampling;
+  check_size(width, height);
+  constexpr int pixel_bytes = 4;
+  pixels_.assign(static_cast<std::size_t>(width) * height * pixel_bytes, 0);
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      cairo_image_surface_create_for_data(pixels_.data(), CAIRO_FORMAT_ARGB32, width, height, width * pixel_bytes),
+      cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
+  // By whole samples, so that Cairo's fixed-point coordinates round as in the whole drawing.
+  cairo_translate(context.get(), -window.left * supersampling, -window.top * supersampling);
+  cairo_scale(context.get(), supersampling, supersampling);
+  draw_marks(context.get(), drawing);
+  const cairo_status_t status = cairo_status(context.get());
+  if (status != CAIRO_STATUS_SUCCESS) throw RunError(fmt::format("no drawing: {}", cairo_status_to_string(status)));
+  cairo_surface_flush(surface.get());
+  Layer layer = average_down(pixels_.data(), width, height, supersampling);
+  // Cairo has blue first.
+  for (std::size_t i = 0; i < layer.rgba.size(); i += pixel_bytes) std::swap(layer.rgba[i], layer.rgba[i + 2]);
+  return layer;
 }
 
 Image draw_image(const Drawing& drawing, int supersampling) {

@@ -1,22 +1,21 @@
 #include "viz/font.hpp"
 
-#include <filesystem>
-#include <string>
+#include <memory>
 
-#include <vtkTextProperty.h>
+#include <cairo/cairo.h>
 
 namespace packstone::viz {
 
-void use_font(vtkTextProperty* property, bool bold) {
-  static const std::string folder = PACKSTONE_FONT_FOLDER;
-  static const bool installed = std::filesystem::exists(folder + "/DejaVuSans.ttf");
-  if (!installed) {
-    property->SetFontFamilyToArial();
-    property->SetBold(bold);
-    return;
-  }
-  property->SetFontFamily(VTK_FONT_FILE);
-  property->SetFontFile((folder + (bold ? "/DejaVuSans-Bold.ttf" : "/DejaVuSans.ttf")).c_str());
+void use_font(cairo_t* context, double size, bool bold) {
+  const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
+      cairo_font_options_create(), cairo_font_options_destroy);
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_options(context, options.get());
+  cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context, size);
 }
 
 }  // namespace packstone::viz

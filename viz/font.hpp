@@ -1,7 +1,7 @@
 // The typeface of all pictures.
 #pragma once
 
-class vtkTextProperty;
+typedef struct _cairo cairo_t;
 
 namespace packstone::viz {
 
@@ -11,8 +11,8 @@ inline constexpr const char* font_names = "DejaVu Sans, Verdana, Arial, sans-ser
 /// Share of the font size that capitals and figures are high.
 inline constexpr double capital_height = 0.73;
 
-/// Sets DejaVu Sans, which has the signs physics needs; VTK's own typeface, which lacks most, where it is not
-/// installed.
-void use_font(vtkTextProperty* property, bool bold);
+/// Sets DejaVu Sans, which has the signs physics needs, or what fontconfig takes for it where it is not installed; its
+/// letters keep their shapes and widths whatever the pixels.
+void use_font(cairo_t* context, double size, bool bold);
 
 }  // namespace packstone::viz

@@ -4,15 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <vtkErrorCode.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include "core/error.hpp"
-#include "core/files.hpp"
 
 namespace packstone::viz {
 
@@ -34,6 +27,16 @@ void reduce_row(const std::uint16_t* sums, int width, int factor, std::uint8_t* 
   }
 }
 
+/// Rows of pixels of so many bytes.
+void place_rows(std::vector<std::uint8_t>& whole, int width, const std::vector<std::uint8_t>& part, int part_width,
+                int rows, int bytes, int left, int top) {
+  const std::ptrdiff_t row_bytes = static_cast<std::ptrdiff_t>(part_width) * bytes;
+  for (int row = 0; row < rows; ++row) {
+    std::copy_n(part.begin() + row * row_bytes, row_bytes,
+                whole.begin() + (static_cast<std::ptrdiff_t>(top + row) * width + left) * bytes);
+  }
+}
+
 }  // namespace
 
 Colour Image::at(int column, int row) const {
@@ -41,8 +44,12 @@ Colour Image::at(int column, int row) const {
   return {p[0], p[1], p[2]};
 }
 
-Layer average_down(const std::uint8_t* rgba, int width, int height, int factor, Rows rows) {
+Layer average_down(const std::uint8_t* rgba, int width, int height, int factor) {
   Layer layer{width / factor, height / factor, {}};
+  if (factor == 1) {
+    layer.rgba.assign(rgba, rgba + static_cast<std::size_t>(width) * height * 4);
+    return layer;
+  }
   layer.rgba.resize(static_cast<std::size_t>(layer.width) * layer.height * 4);
   const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
   std::vector<std::uint16_t> column_sums(row_bytes);
@@ -50,9 +57,7 @@ Layer average_down(const std::uint8_t* rgba, int width, int height, int factor, 
   for (int row = 0; row < layer.height; ++row) {
     std::fill(column_sums.begin(), column_sums.end(), 0);
     for (int k = 0; k < factor; ++k) {
-      const int from_top = row * factor + k;
-      const int index = rows == Rows::top_first ? from_top : height - 1 - from_top;
-      const std::uint8_t* source = &rgba[static_cast<std::size_t>(index) * row_bytes];
+      const std::uint8_t* source = &rgba[static_cast<std::size_t>(row * factor + k) * row_bytes];
       for (std::size_t i = 0; i < row_bytes; ++i) column_sums[i] += source[i];
     }
     reduce(column_sums.data(), layer.width, factor, &layer.rgba[static_cast<std::size_t>(row) * layer.width * 4]);
@@ -90,57 +95,11 @@ Layer part_of(const Layer& layer, const PixelWindow& window) {
 }
 
 void place(Image& whole, const Image& part, int left, int top) {
-  for (int row = 0; row < part.height; ++row) {
-    const auto source = part.rgb.begin() + static_cast<std::ptrdiff_t>(row) * part.width * 3;
-    std::copy_n(source, static_cast<std::ptrdiff_t>(part.width) * 3,
-                whole.rgb.begin() + (static_cast<std::ptrdiff_t>(top + row) * whole.width + left) * 3);
-  }
+  place_rows(whole.rgb, whole.width, part.rgb, part.width, part.height, 3, left, top);
 }
 
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width, image.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row_bytes = static_cast<std::size_t>(image.width) * 3;
-  for (int row = 0; row < image.height; ++row) {
-    const auto source = image.rgb.begin() + static_cast<std::ptrdiff_t>(row * row_bytes);
-    std::copy_n(source, row_bytes, static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height - 1 - row, 0)));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToMemoryOn();
-  for (const auto& [key, value] : text) writer->AddText(key.c_str(), value.c_str());
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || bytes == nullptr) {
-    throw RunError(fmt::format("cannot encode {}", path.string()));
-  }
-  write_text_file(
-      path, {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetDataSize())});
-}
-
-Image read_png(const std::filesystem::path& path) {
-  vtkNew<vtkPNGReader> reader;
-  if (!std::filesystem::is_regular_file(path) || reader->CanReadFile(path.c_str()) == 0) {
-    throw InputError(fmt::format("{} is not a PNG file", path.string()));
-  }
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
-  const int channels = data->GetNumberOfScalarComponents();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || data->GetScalarType() != VTK_UNSIGNED_CHAR || channels < 3) {
-    throw InputError(fmt::format("{} is not an RGB picture of 8 bits", path.string()));
-  }
-  const int* size = data->GetDimensions();
-  Image image{size[0], size[1], {}};
-  image.rgb.reserve(static_cast<std::size_t>(image.width) * image.height * 3);
-  for (int row = image.height - 1; row >= 0; --row) {
-    const auto* source = static_cast<const std::uint8_t*>(data->GetScalarPointer(0, row, 0));
-    for (int column = 0; column < image.width; ++column, source += channels) {
-      image.rgb.insert(image.rgb.end(), source, source + 3);
-    }
-  }
-  return image;
+void place(Layer& whole, const Layer& part, int left, int top) {
+  place_rows(whole.rgba, whole.width, part.rgba, part.width, part.height, 4, left, top);
 }
 
 double difference(const Image& a, const Image& b) {

@@ -1,10 +1,7 @@
-// Pictures in memory: averaging down, laying one over the other, PNG files, and a score of how alike two are.
+// Pictures in memory: averaging down, laying one over the other, and a score of how alike two are.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "viz/pixel_window.hpp"
@@ -29,12 +26,9 @@ struct Layer {
   std::vector<std::uint8_t> rgba;  ///< (height * width * 4), top row first, colours premultiplied by alpha
 };
 
-/// Which row of a picture comes first in memory; OpenGL's is the lowest.
-enum class Rows { top_first, bottom_first };
-
 /// Averages squares of factor x factor pixels of a picture (height * width * 4), whose sides are multiples of factor.
 /// This is all the smoothing there is, so that tiles of a picture merge byte for byte.
-Layer average_down(const std::uint8_t* rgba, int width, int height, int factor, Rows rows);
+Layer average_down(const std::uint8_t* rgba, int width, int height, int factor);
 
 /// Lays the layers over a plain ground, the first lowest. All have the same size.
 Image flatten(const std::vector<const Layer*>& layers, Colour ground);
@@ -44,15 +38,7 @@ Layer part_of(const Layer& layer, const PixelWindow& window);
 
 /// Puts a part in its place in a picture.
 void place(Image& whole, const Image& part, int left, int top);
-
-/// Text chunks of a PNG file: keyword ("Title", "Software", "Description", ...) and text.
-using PngText = std::vector<std::pair<std::string, std::string>>;
-
-/// Writes under another name and renames: the file is whole or absent. Throws RunError when the disk refuses.
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
-
-/// Throws InputError when the file is not an RGB or RGBA picture of 8 bits; alpha is dropped.
-Image read_png(const std::filesystem::path& path);
+void place(Layer& whole, const Layer& part, int left, int top);
 
 /// Mean absolute difference of two pictures over all pixels and channels after each was averaged over 4 x 4 squares:
 /// 0 for the same picture, 255 for white against black. The squares forgive what renderers do differently at edges, not

@@ -1,32 +1,33 @@
 #include "viz/label_layer.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace packstone::viz {
 
-namespace {
+bool LabelLayer::kept() const {
+  constexpr int largest = 4096;  // [px] a side
+  return shown_.still.width <= largest && shown_.still.height <= largest;
+}
 
-/// Puts a layer into another where that is empty.
-void insert(Layer& layer, const Layer& part, int left, int top) {
-  for (int row = 0; row < part.height; ++row) {
-    const auto source = part.rgba.begin() + static_cast<std::ptrdiff_t>(row) * part.width * 4;
-    std::copy_n(source, static_cast<std::ptrdiff_t>(part.width) * 4,
-                layer.rgba.begin() + (static_cast<std::ptrdiff_t>(top + row) * layer.width + left) * 4);
+void LabelLayer::show(Annotation annotation, int supersampling) {
+  const bool drawn = whole_.width > 0 && annotation.still == shown_.still && supersampling == supersampling_;
+  shown_ = std::move(annotation);
+  supersampling_ = supersampling;
+  if (!kept()) {
+    whole_ = {};
+  } else if (!drawn) {
+    whole_ = painter_.paint(shown_.still, supersampling);
   }
 }
 
-}  // namespace
-
-const Layer& LabelLayer::paint(const Annotation& annotation, int supersampling) {
-  if (still_.width == 0 || annotation.still != shown_.still) {
-    still_ = still_painter_.paint(annotation.still, supersampling);
-    shown_.still = annotation.still;
-    labels_ = still_;
-  }
-  if (!annotation.changing.marks.empty()) {
-    insert(labels_, changing_painter_.paint(annotation.changing, supersampling), annotation.left, annotation.top);
-  }
-  return labels_;
+Layer LabelLayer::part(const PixelWindow& window) {
+  Layer part = kept() ? part_of(whole_, window) : painter_.paint(shown_.still, window, supersampling_);
+  const PixelWindow common = window.common(shown_.changing_in);
+  if (common.empty() || shown_.changing.marks.empty()) return part;
+  // The time has its place to itself.
+  place(part, painter_.paint(shown_.changing, common, supersampling_), common.left - window.left,
+        common.top - window.top);
+  return part;
 }
 
 }  // namespace packstone::viz

@@ -7,16 +7,21 @@
 
 namespace packstone::viz {
 
-/// Keeps its last picture.
+/// Keeps its last picture where that is not large.
 class LabelLayer {
  public:
-  /// All of the annotation, at its full size.
-  const Layer& paint(const Annotation& annotation, int supersampling);
+  /// What the next parts are of.
+  void show(Annotation annotation, int supersampling);
+
+  Layer part(const PixelWindow& window);
 
  private:
-  DrawingPainter still_painter_, changing_painter_;
+  bool kept() const;
+
+  DrawingPainter painter_;
   Annotation shown_;
-  Layer still_, labels_;
+  int supersampling_ = 0;
+  Layer whole_;
 };
 
 }  // namespace packstone::viz

@@ -25,13 +25,21 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> ffmpeg_call(const fs::path& output, int width, int height, int frames_per_second) {
-  std::vector<std::string> call = {"ffmpeg",     "-nostdin",
-                                   "-loglevel",  "error",
-                                   "-f",         "rawvideo",
-                                   "-pix_fmt",   "rgb24",
-                                   "-s",         fmt::format("{}x{}", width, height),
-                                   "-framerate", fmt::format("{}", frames_per_second),
-                                   "-i",         "pipe:0"};
+  std::vector<std::string> call = {"ffmpeg",
+                                   "-nostdin",
+                                   "-loglevel",
+                                   "error",
+                                   "-xerror",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pix_fmt",
+                                   "rgb24",
+                                   "-s",
+                                   fmt::format("{}x{}", width, height),
+                                   "-framerate",
+                                   fmt::format("{}", frames_per_second),
+                                   "-i",
+                                   "pipe:0"};
   std::vector<std::string> format;
   if (output.extension() == ".gif") {
     // One palette from all frames, so that colours do not flicker.
@@ -122,15 +130,18 @@ class MovieWriter::Encoder {
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) {
         wait_for_end();
-        throw RunError("ffmpeg stopped before the movie's end: " + last_words());
+        throw RunError("ffmpeg stopped before the movie's end: " + reason());
       }
       sent += static_cast<std::size_t>(count);
     }
   }
 
+  /// A full disk that shows only when the last bytes are written does not change ffmpeg's exit code, but its words.
   void finish() {
     const int status = wait_for_end();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw RunError("ffmpeg failed: " + last_words());
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !words().empty()) {
+      throw RunError("ffmpeg failed: " + reason());
+    }
   }
 
  private:
@@ -148,17 +159,21 @@ class MovieWriter::Encoder {
     return status;
   }
 
-  /// The last line ffmpeg printed.
-  std::string last_words() {
+  /// The first line ffmpeg printed, which names the cause; later ones name what came of it.
+  std::string words() {
     std::rewind(log_);
-    std::string last = "it gives no reason";
     std::array<char, 1024> line;
     while (std::fgets(line.data(), line.size(), log_) != nullptr) {
       std::string text = line.data();
       while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-      if (!text.empty()) last = text;
+      if (!text.empty()) return text;
     }
-    return last;
+    return "";
+  }
+
+  std::string reason() {
+    const std::string text = words();
+    return text.empty() ? "it gives no reason" : text;
   }
 
   void close_all() {

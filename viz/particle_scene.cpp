@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "viz/annotation.hpp"
 #include "viz/composition.hpp"
@@ -16,11 +18,16 @@ namespace packstone::viz {
 
 namespace {
 
-constexpr int largest_tile = 1024;  // [samples] a side: its memory stays below 20 MB
+constexpr int largest_side = 32768;  // [px]
+constexpr int largest_tile = 1024;   // [samples] a side: its memory stays below 20 MB
 
 const PictureOptions& checked(const PictureOptions& options) {
   if (options.supersampling < 1) throw InputError("super-sampling takes 1 or more");
   if (options.width < 1 || options.height < 1) throw InputError("a picture has at least 1 x 1 px");
+  if (std::max(options.width, options.height) > largest_side) {
+    throw InputError(fmt::format("a picture of {} x {} px is too large; a side takes 1 to {} px", options.width,
+                                 options.height, largest_side));
+  }
   if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
   return options;
 }
@@ -72,9 +79,8 @@ void draw_spheres(SphereLayer& layer, const Frame& frame, const PixelWindow& win
 
 struct ParticlePainter::Stage {
   WallLayer walls;
-  LabelLayer label_layer;
+  LabelLayer labels;
   std::optional<Frame> frame;
-  const Layer* labels = nullptr;
 
   explicit Stage(const PictureOptions& options) : walls(options.width, options.height, options.supersampling) {}
 };
@@ -91,8 +97,8 @@ void ParticlePainter::show(const Snapshot& snapshot) {
     constexpr double line_weight = 0.06;  // of the font size
     stage_->walls.show(snapshot, frame.space, frame.camera, line_weight * frame.layout.font * options_.supersampling);
   }
-  stage_->labels = &stage_->label_layer.paint(
-      annotate(options_, frame.space, frame.layout, frame.colouring, snapshot.time), options_.supersampling);
+  stage_->labels.show(annotate(options_, frame.space, frame.layout, frame.colouring, snapshot.time),
+                      options_.supersampling);
 }
 
 Image ParticlePainter::part(const PixelWindow& window) {
@@ -106,7 +112,7 @@ Image ParticlePainter::part(const PixelWindow& window) {
     draw_spheres(spheres, *stage_->frame, samples, options_.cull);
     if (options_.container) stage_->walls.prepare(samples);
     const Layer particles = compose(spheres, options_.container ? &stage_->walls : nullptr, options_.supersampling);
-    const Layer labels = part_of(*stage_->labels, part);
+    const Layer labels = stage_->labels.part(part);
     place(image, flatten({&particles, &labels}, paper), part.left - window.left, part.top - window.top);
   });
   return image;

@@ -16,6 +16,11 @@ struct PixelWindow {
   int right() const { return left + width; }
   int bottom() const { return top + height; }
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  bool empty() const { return width <= 0 || height <= 0; }
+  PixelWindow common(const PixelWindow& other) const {
+    const int l = std::max(left, other.left), t = std::max(top, other.top);
+    return {l, t, std::min(right(), other.right()) - l, std::min(bottom(), other.bottom()) - t};
+  }
   /// The same part of the picture in pixels a factor smaller.
   PixelWindow finer(int factor) const { return {left * factor, top * factor, width * factor, height * factor}; }
 

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "viz/drawing_painter.hpp"
+#include "viz/pdf.hpp"
 #include "viz/svg.hpp"
 
 namespace packstone::viz {
@@ -15,9 +16,13 @@ void save_drawing(const std::filesystem::path& path, const Drawing& drawing, int
   if (ending == ".svg") {
     write_text_file(path, svg_text(drawing, title));
   } else if (ending == ".png") {
-    write_png(path, draw_image(drawing, supersampling), text);
+    const auto& paper_size = drawing.paper_size;
+    write_png(path, draw_image(drawing, supersampling), text,
+              paper_size ? std::optional(paper_size->dots_per_inch) : std::nullopt);
+  } else if (ending == ".pdf") {
+    write_text_file(path, pdf_bytes(drawing, title));
   } else {
-    throw InputError(fmt::format("{}: the ending is neither .png nor .svg", path.string()));
+    throw InputError(fmt::format("{}: the ending is none of .png, .svg and .pdf", path.string()));
   }
 }
 

@@ -1,15 +1,15 @@
-// Drawings as files: PNG or SVG by the name's ending.
+// Drawings as files: PNG, SVG or PDF by the name's ending.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "viz/drawing.hpp"
-#include "viz/image.hpp"
+#include "viz/png.hpp"
 
 namespace packstone::viz {
 
-/// Writes .png (with the text chunks) or .svg (with the title), whole or not at all.
+/// Writes .png (with the text chunks), .svg or .pdf (with the title), whole or not at all.
 /// Throws InputError for any other ending, RunError when the disk refuses.
 void save_drawing(const std::filesystem::path& path, const Drawing& drawing, int supersampling,
                   const std::string& title, const PngText& text = {});

@@ -33,7 +33,6 @@ bool reaches_in(const Disc& disc, const Domain& domain, PlaneAxes axes) {
 }
 
 // All as multiples of the font size.
-constexpr double margin = 1.2;
 constexpr double column_gap = 2.0;
 constexpr double title_room = 2.2;
 constexpr double title_size = 1.15;
@@ -59,7 +58,7 @@ AxisScale axis_scale(const Domain& domain, int axis, double unit) {
 
 /// The largest frame of the domain's proportions that fits, in the middle of the picture together with the column.
 PlotFrame lay_out(const Snapshot& snapshot, PlaneAxes axes, const SliceOptions& options, double column) {
-  const double font = font_size(options.width, options.height);
+  const double font = font_size(options.width, options.height) * options.font_scale;
   const Domain& domain = snapshot.domain;
   const Vec3 size = domain.size();
   const ReadableUnit unit = length_unit(std::max(size[axes.u], size[axes.v]));
@@ -69,10 +68,10 @@ PlotFrame lay_out(const Snapshot& snapshot, PlaneAxes axes, const SliceOptions& 
   frame.y = axis_scale(domain, axes.v, unit.scale);
   frame.x_label = fmt::format("{} [{}]", axis_names[axes.u], unit.name);
   frame.y_label = fmt::format("{} [{}]", axis_names[axes.v], unit.name);
-  const double top = (margin + (options.title.empty() ? 0 : title_room)) * font;
-  const double bottom = options.height - margin * font - lower_room(font);
-  const double left = margin * font + left_room(frame.y, bottom - top, font);
-  const double right = options.width - margin * font - column - column_gap * font;
+  const double top = (options.margin + (options.title.empty() ? 0 : title_room)) * font;
+  const double bottom = options.height - options.margin * font - lower_room(font);
+  const double left = options.margin * font + left_room(frame.y, bottom - top, font);
+  const double right = options.width - options.margin * font - column - column_gap * font;
   const double pixels_per_metre = std::min((right - left) / size[axes.u], (bottom - top) / size[axes.v]);
   if (pixels_per_metre <= 0) {
     throw InputError(fmt::format("a slice of {} x {} px has no room beside its labels", options.width, options.height));
@@ -138,12 +137,12 @@ Drawing slice_drawing(const Snapshot& snapshot, const SlicePlane& plane, const S
   const std::vector<Disc> discs = slice_discs(snapshot, plane);
   const Colouring colouring = colour_particles(snapshot, options.color, options.range);
   const PlaneAxes axes = axes_in_plane(plane.axis);
-  const double font = font_size(options.width, options.height);
+  const double font = font_size(options.width, options.height) * options.font_scale;
   const double column = column_width(options, plane, colouring, font);
   const PlotFrame frame = lay_out(snapshot, axes, options, column);
   const double metres_per_pixel = snapshot.domain.size()[axes.u] / frame.box.width();
   Drawing drawing{options.width, options.height, {}};
-  drawing.text({options.width / 2.0, margin * font}, options.title,
+  drawing.text({options.width / 2.0, options.margin * font}, options.title,
                {.size = title_size * font, .across = Side::middle, .along = Side::high, .bold = true});
   const Vec3& origin = snapshot.domain.min;
   const auto pixel = [&](double u, double v) {

@@ -11,6 +11,7 @@
 #include "viz/colouring.hpp"
 #include "viz/drawing.hpp"
 #include "viz/image.hpp"
+#include "viz/style.hpp"
 
 namespace packstone::viz {
 
@@ -52,6 +53,8 @@ struct SliceOptions {
   std::string title;
   bool legend = true;
   bool time = true;
+  double font_scale = 1;  ///< of the usual size for the picture
+  double margin = usual_margin;
 };
 
 /// The cut in the domain's outline, with axes, scale bar and legend; for svg_text or save_drawing.

@@ -33,6 +33,11 @@ std::size_t line_round(std::size_t index);
 /// Viridis, from dark blue at t = 0 to yellow at t = 1; t outside is clamped, NaN gives no_value.
 Colour sequential_colour(double t);
 
+/// White around charts and slices, as a multiple of the font size.
+inline constexpr double usual_margin = 1.2;
+/// On paper, where the page has its own: room for half a number at the upper end of an axis.
+inline constexpr double print_margin = 0.5;
+
 /// Height of the letters' body for a picture of this size [px].
 double font_size(int width, int height);
 

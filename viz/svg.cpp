@@ -36,6 +36,11 @@ std::string stroke_text(const std::optional<Stroke>& stroke) {
   return text;
 }
 
+std::string size_text(const Drawing& drawing) {
+  if (!drawing.paper_size) return fmt::format("width='{}' height='{}'", drawing.width, drawing.height);
+  return fmt::format("width='{:g}mm' height='{:g}mm'", drawing.paper_size->width_mm, drawing.paper_size->height_mm);
+}
+
 /// One element a mark.
 class Writer {
  public:
@@ -129,9 +134,8 @@ std::string escaped(const std::string& text) {
 std::string svg_text(const Drawing& drawing, const std::string& title) {
   std::string out = fmt::format(
       "<?xml version='1.0' encoding='UTF-8'?>\n"
-      "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' "
-      "font-family='{2}'>\n",
-      drawing.width, drawing.height, font_names);
+      "<svg xmlns='http://www.w3.org/2000/svg' {0} viewBox='0 0 {1} {2}' font-family='{3}'>\n",
+      size_text(drawing), drawing.width, drawing.height, font_names);
   if (!title.empty()) out += fmt::format("<title>{}</title>\n", escaped(title));
   out += fmt::format("<rect width='100%' height='100%' fill='{}'/>\n", hex(paper));
   Writer writer(out);

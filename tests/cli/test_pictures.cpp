@@ -57,6 +57,13 @@ TEST_CASE("pictures, a film, a slice, charts and a report come out without a dis
   CHECK(std::filesystem::file_size(run.folder / "film.mp4") > 1000);
   done("slice " + run.path + run.out("cut.svg") + small + " --plane z=20mm", "");
   CHECK_THAT(read_text_file(run.folder / "cut.svg"), Contains("<svg") && Contains("<circle"));
+  done("slice " + run.path + run.out("cut.pdf") + small + " --plane z=20mm", "");
+  CHECK_THAT(read_text_file(run.folder / "cut.pdf"), StartsWith("%PDF-"));
+  const std::string column = " --width-mm 85 --height-mm 55 --font-pt 8 --dpi 300 --title -";
+  done("plot " + run.path + " --what energy" + run.out("column.svg") + column, "");
+  CHECK_THAT(read_text_file(run.folder / "column.svg"), Contains("width='85mm'") && Contains("font-size='33.33'"));
+  done("slice " + run.path + " --plane z=20mm" + run.out("column.png") + column, "");
+  CHECK(is_png(run.folder / "column.png"));
   done("plot " + run.path + " --what energy,profile" + run.out("plots"), "");
   CHECK(is_png(run.folder / "plots/energy.png"));
   CHECK(is_png(run.folder / "plots/profile.png"));
@@ -81,6 +88,13 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.png") + " --size 20000x100",
         "slice " + run.path + run.out("x.png") + " --plane w=1",
         "slice " + run.path + run.out("x.png") + " --plane z=9",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 5",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 11 --height-mm 11",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 55 --dpi nan",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 55 --font-pt 0",
+        "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 55 --size 100x100",
+        "slice " + run.path + run.out("x.pdf") + " --plane z=20mm --font-pt 8",
         "plot " + run.path + run.out("x.png") + " --what enrgy", "report " + run.path + run.out("x.pdf"),
         "render /no/such/run" + run.out("x.png")}) {
     const auto result = packstone_command(call);

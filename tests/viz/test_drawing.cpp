@@ -25,6 +25,24 @@ TEST_CASE("marks are drawn where they are, within their clip") {
   CHECK(image.at(35, 15) == paper);
 }
 
+TEST_CASE("a layer of marks is clear where there are none and half so where they half cover") {
+  Drawing drawing{4, 4, {}};
+  drawing.rectangle({0, 0, 2.5, 4}, Fill{{200, 100, 0}}, std::nullopt);
+  for (const int supersampling : {1, 2}) {
+    const Layer layer = DrawingPainter().paint(drawing, supersampling);
+    const auto pixel = [&](int column) {
+      const auto first = layer.rgba.begin() + column * 4;
+      return std::vector<std::uint8_t>(first, first + 4);
+    };
+    CHECK(pixel(1) == std::vector<std::uint8_t>{200, 100, 0, 255});
+    CHECK(pixel(2)[3] == Approx(128).margin(1));
+    CHECK(pixel(2)[0] == Approx(100).margin(1));  // premultiplied
+    CHECK(pixel(3) == std::vector<std::uint8_t>{0, 0, 0, 0});
+  }
+  CHECK_THROWS_AS(DrawingPainter().paint(drawing, max_drawing_side), InputError);
+  CHECK_THROWS_AS(draw_image(Drawing{}, 1), InputError);
+}
+
 TEST_CASE("a dash pattern draws its share of a line") {
   const auto pieces = dashed({{0, 0}, {7, 0}, {10, 0}}, {2, 1});
   REQUIRE(pieces.size() == 4);

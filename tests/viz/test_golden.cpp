@@ -11,6 +11,7 @@
 #include "viz/chart.hpp"
 #include "viz/drawing_painter.hpp"
 #include "viz/particle_scene.hpp"
+#include "viz/png.hpp"
 #include "viz/slice.hpp"
 
 using namespace packstone;

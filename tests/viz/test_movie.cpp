@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "tests/temporary_folder.hpp"
 #include "viz/movie.hpp"
 
@@ -53,6 +54,23 @@ TEST_CASE("a movie that cannot be written gives ffmpeg's reason and no file") {
   };
   CHECK_THROWS_WITH(write(), Contains("ffmpeg") && Contains("No such file or directory"));
   CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("a movie on a full disk is an error, however late that shows") {
+  testing::TemporaryFolder folder;
+  for (const char* name : {"a.mp4", "a.gif"}) {
+    for (const int frames : {1, 40}) {
+      INFO(name << ", " << frames << " frames");
+      fs::create_symlink("/dev/full", temporary_name(folder / name));  // where every write fails for want of room
+      const auto write = [&] {
+        MovieWriter movie(folder / name, 64, 48, {25});
+        for (int i = 0; i < frames; ++i) movie.add(frame(64, 48, i));
+        movie.finish();
+      };
+      CHECK_THROWS_WITH(write(), Contains("ffmpeg") && Contains("No space left on device"));
+      CHECK(fs::is_empty(folder.path()));
+    }
+  }
 }
 
 TEST_CASE("without ffmpeg there is a clear error") {

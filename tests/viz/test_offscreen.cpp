@@ -27,6 +27,6 @@ TEST_CASE("a size the software renderer cannot draw is refused") {
   CHECK_THROWS_AS(OffscreenWindow(max_side + 1, 10), InputError);
   CHECK_THROWS_AS(OffscreenWindow(10, 0), InputError);
   PictureOptions options;
-  options.width = max_side / 2 + 1;
+  options.width = 32769;
   CHECK_THROWS_AS(ParticlePainter(options), InputError);
 }
