@@ -1,6 +1,7 @@
 #include "cli/pictures.hpp"
 
 #include <cstdio>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -77,6 +78,18 @@ viz::PngText provenance(const RunReader& run, const Snapshot& snapshot) {
   return {{"Software", fmt::format("packstone {} (git {})", version(), git_revision())},
           {"Source", fmt::format("{} t={:g} s", run.path().filename().string(), snapshot.time)},
           {"Description", "scene hash " + snapshot.scene_hash}};
+}
+
+viz::PngText provenance(const RunReader& run, std::size_t index) {
+  // Of other programs' files only the time is told.
+  Snapshot header;
+  header.time = run.times().at(index);
+  constexpr double nowhere = std::numeric_limits<double>::max();
+  if (run.snapshot_files().at(index).extension() == ".vtkhdf") {
+    header =
+        run.snapshot(index, {.region = Region{Vec3::Constant(nowhere), Vec3::Constant(nowhere)}, .contacts = false});
+  }
+  return provenance(run, header);
 }
 
 std::string picture_title(const RunReader& run, const std::string& given) {

@@ -70,6 +70,8 @@ std::optional<std::pair<double, double>> colour_range(const std::string& text);
 
 /// Where a picture comes from, for the PNG's text chunks.
 viz::PngText provenance(const RunReader& run, const Snapshot& snapshot);
+/// The same before the particles are read.
+viz::PngText provenance(const RunReader& run, std::size_t index);
 
 /// The given title, or the run's own.
 std::string picture_title(const RunReader& run, const std::string& given);

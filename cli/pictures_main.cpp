@@ -1,5 +1,9 @@
 // packstone-pictures: the verbs of packstone that draw. Users call packstone, which hands over to it.
 
+#include <limits>
+
+#include <malloc.h>
+
 #include "cli/command_line.hpp"
 #include "cli/verbs.hpp"
 
@@ -12,6 +16,16 @@ void add_verbs(packstone::cli::Program& program) {
   packstone::cli::add_report(program);
 }
 
+/// Pictures take and return megabytes all the time; handed back to the system they would come back as page faults.
+void keep_memory() {
+  constexpr int largest = 32 << 20;  // that glibc allows
+  mallopt(M_MMAP_THRESHOLD, largest);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
+
 }  // namespace
 
-int main(int argc, char** argv) { return packstone::cli::run_program(argc, argv, add_verbs); }
+int main(int argc, char** argv) {
+  keep_memory();
+  return packstone::cli::run_program(argc, argv, add_verbs);
+}

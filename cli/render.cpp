@@ -1,127 +1,75 @@
 // packstone render: pictures and films of a packing in space.
 
-#include <filesystem>
 #include <memory>
+#include <thread>
 
 #include <fmt/format.h>
 
 #include "cli/interrupt.hpp"
 #include "cli/picture_verbs.hpp"
-#include "cli/pictures.hpp"
-#include "cli/progress.hpp"
-#include "cli/selection.hpp"
+#include "cli/render_call.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
-#include "viz/movie.hpp"
-#include "viz/particle_scene.hpp"
-#include "viz/png.hpp"
 
 namespace packstone::cli {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-struct RenderOptions {
-  fs::path path;
-  fs::path output;
-  PictureCall picture;
-  std::string camera = "iso";
-  std::string at = "last";
-  std::string frames;
-  int rate = 25;
-  bool quiet = false;
-};
-
-viz::PictureOptions picture_options(const RenderOptions& options, const RunReader& run) {
+viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run) {
   viz::PictureOptions picture;
-  std::tie(picture.width, picture.height) = picture_size(options.picture.size);
-  picture.supersampling = options.picture.supersampling;
-  picture.color = options.picture.color;
-  picture.range = colour_range(options.picture.range);
-  picture.view = viz::view_named(options.camera);
-  picture.title = picture_title(run, options.picture.title);
+  std::tie(picture.width, picture.height) = picture_size(call.picture.size);
+  picture.supersampling = call.picture.supersampling;
+  picture.color = call.picture.color;
+  picture.range = colour_range(call.picture.range);
+  picture.view = viz::view_named(call.camera);
+  picture.title = picture_title(run, call.picture.title);
+  picture.parts = call.parts;
   return picture;
 }
 
-/// The colour scale of a film spans all of its frames.
-void fix_range(viz::PictureOptions& picture, const RunReader& run, const std::vector<std::size_t>& frames) {
-  if (picture.range) return;
-  for (const std::size_t index : frames) {
-    ReadOptions without_contacts;
-    without_contacts.contacts = false;
-    const auto range = viz::value_range(run.snapshot(index, without_contacts), picture.color);
-    if (!range) continue;
-    picture.range = picture.range ? std::pair{std::min(picture.range->first, range->first),
-                                              std::max(picture.range->second, range->second)}
-                                  : *range;
-  }
+int worker_count(const RenderCall& call) {
+  return call.workers > 0 ? call.workers : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-void render_sequence(const RenderOptions& options, const RunReader& run, const std::vector<std::size_t>& frames) {
-  viz::PictureOptions picture = picture_options(options, run);
-  fix_range(picture, run, frames);
-  const bool film = options.output.has_extension();
-  std::unique_ptr<viz::MovieWriter> movie;
-  if (film) {
-    movie = std::make_unique<viz::MovieWriter>(options.output, picture.width, picture.height,
-                                               viz::MovieOptions{options.rate});
-  } else {
-    std::error_code error;
-    fs::create_directories(options.output, error);
-    if (error) throw InputError(options.output.string() + ": cannot be made: " + error.message());
-  }
-  viz::ParticlePainter painter(picture);
-  Progress progress("frames", options.quiet);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} frames", k, frames.size()));
-    ReadOptions without_contacts;
-    without_contacts.contacts = false;
-    const Snapshot snapshot = run.snapshot(frames[k], without_contacts);
-    const viz::Image image = painter.paint(snapshot);
-    if (movie) {
-      movie->add(image);
-    } else {
-      viz::write_png(options.output / fmt::format("frame_{:06}.png", frames[k]), image, provenance(run, snapshot));
-    }
-    progress.update(static_cast<std::int64_t>(k + 1), static_cast<std::int64_t>(frames.size()));
-  }
-  if (movie) movie->finish();
-}
+namespace {
 
-void render(const RenderOptions& options) {
-  const RunReader run(options.path);
-  const std::string extension = options.output.extension().string();
+void render(const RenderCall& call) {
+  const RunReader run(call.path);
+  const std::string extension = call.output.extension().string();
   catch_interrupts();
   if (extension == ".png") {
-    if (!options.frames.empty()) {
+    if (!call.frames.empty()) {
       throw InputError("--frames makes a film or a folder of pictures; name x.mp4, x.gif or a folder with -o");
     }
-    const Snapshot snapshot = run.snapshot(run.index_at(options.at));
-    const auto picture = picture_options(options, run);
-    viz::write_png(options.output, viz::draw_particles(snapshot, picture), provenance(run, snapshot));
+    render_picture(call, run);
   } else if (extension == ".mp4" || extension == ".gif" || extension.empty()) {
-    render_sequence(options, run, frame_range(run, options.frames.empty() ? ":" : options.frames));
+    if (!call.tiles.empty())
+      throw InputError("--tiles divides one picture; films and folders are shared out by frames");
+    render_film(call, run);
   } else {
     throw InputError(fmt::format("{}: a picture is written as .png, a film as .mp4 or .gif, frames into a folder",
-                                 options.output.string()));
+                                 call.output.string()));
   }
 }
 
 }  // namespace
 
 void add_render(Program& program) {
-  auto options = std::make_shared<RenderOptions>();
+  constexpr int most_workers = 1024, most_parts = 1000;
+  auto call = std::make_shared<RenderCall>();
   Verb verb = program.add_verb(render_verb.name, render_verb.description);
-  verb.add("path", options->path, "Run folder, snapshot, or a file of another program").required();
-  verb.add("-o,--output", options->output, "x.png, x.mp4, x.gif, or a folder for frames").required();
-  verb.add("--camera", options->camera, "iso, front, back, left, right, top or bottom").shows_default();
-  verb.add("--at", options->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
-  verb.add("--frames", options->frames, "Of a film: FIRST:LAST:STRIDE [all]");
-  verb.add("--rate", options->rate, "Frames a second of a film").between(1, 120).shows_default();
-  add_picture_options(verb, options->picture);
-  verb.add_flag("--quiet", options->quiet, "No progress");
-  verb.set_action([options] { render(*options); });
+  verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
+  verb.add("-o,--output", call->output, "x.png, x.mp4, x.gif, or a folder for frames").required();
+  verb.add("--camera", call->camera, "iso, front, back, left, right, top or bottom").shows_default();
+  verb.add("--at", call->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
+  verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
+  verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
+  add_picture_options(verb, call->picture);
+  verb.add("--workers", call->workers, "Processes that share frames or tiles [one a core]").between(1, most_workers);
+  verb.add("--tiles", call->tiles, "COLUMNSxROWS of a picture, to share out [by its size]");
+  verb.add("--parts", call->parts, "Draw the particles in so many parts, merged by depth")
+      .between(1, most_parts)
+      .shows_default();
+  verb.add_flag("--quiet", call->quiet, "No progress");
+  verb.set_action([call] { render(*call); });
 }
 
 }  // namespace packstone::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,16 @@ void reduce_row(const std::uint16_t* sums, int width, int factor, std::uint8_t* 
       for (int k = 0; k < side; ++k) sum += sums[4 * k + channel];
       target[channel] = static_cast<std::uint8_t>(sum / area);
     }
+  }
+}
+
+/// Lays one channel of a row, premultiplied, over what is there.
+void lay_over(const std::uint32_t* over, int channel, int width, std::uint32_t* tones) {
+  constexpr std::uint32_t full = 255;
+  for (int k = 0; k < width; ++k) {
+    const std::uint32_t left = full - (over[k] >> 24);
+    const std::uint32_t sum = (over[k] >> channel & full) + (tones[k] * left + full / 2) / full;
+    tones[k] = sum < full ? sum : full;
   }
 }
 
@@ -66,20 +77,23 @@ Layer average_down(const std::uint8_t* rgba, int width, int height, int factor) 
 }
 
 Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
-  const int width = layers.front()->width;
-  const int height = layers.front()->height;
-  const std::size_t pixels = static_cast<std::size_t>(width) * height;
-  Image image{width, height, std::vector<std::uint8_t>(pixels * 3)};
-  constexpr int full = 255;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    int value[3] = {ground.r, ground.g, ground.b};
+  const int width = layers.front()->width, height = layers.front()->height;
+  Image image{width, height, {}};
+  image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
+  const std::uint8_t tone[3] = {ground.r, ground.g, ground.b};
+  std::vector<std::uint32_t> over(width), tones(3 * static_cast<std::size_t>(width));
+  for (int row = 0; row < height; ++row) {
+    for (int k = 0; k < 3; ++k) std::fill_n(&tones[static_cast<std::size_t>(k) * width], width, tone[k]);
     for (const Layer* layer : layers) {
-      const std::uint8_t* over = &layer->rgba[i * 4];
-      if (over[3] == 0) continue;
-      const int left = full - over[3];
-      for (int k = 0; k < 3; ++k) value[k] = std::min(full, over[k] + (value[k] * left + full / 2) / full);
+      std::memcpy(over.data(), &layer->rgba[static_cast<std::size_t>(row) * width * 4], over.size() * 4);
+      if (std::all_of(over.begin(), over.end(), [](std::uint32_t pixel) { return pixel == 0; })) continue;
+      for (int k = 0; k < 3; ++k) lay_over(over.data(), 8 * k, width, &tones[static_cast<std::size_t>(k) * width]);
     }
-    std::copy(value, value + 3, &image.rgb[i * 3]);
+    std::uint8_t* pixel = &image.rgb[static_cast<std::size_t>(row) * width * 3];
+    for (int column = 0; column < width; ++column) {
+      for (int k = 0; k < 3; ++k)
+        *pixel++ = static_cast<std::uint8_t>(tones[static_cast<std::size_t>(k) * width + column]);
+    }
   }
   return image;
 }

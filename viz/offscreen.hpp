@@ -34,8 +34,6 @@ class OffscreenWindow {
 
   /// (height * width * 4) bytes of the last render, bottom row first; colours are premultiplied by alpha.
   const std::vector<std::uint8_t>& rgba();
-  /// The bytes that rgba() read last.
-  const std::vector<std::uint8_t>& last_rgba() const { return pixels_; }
 
   /// (height * width) depths of the last render, 0 at the near and 1 at the far plane, bottom row first.
   std::vector<float> depths() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <fmt/format.h>
@@ -20,17 +21,6 @@ namespace {
 
 constexpr int largest_side = 32768;  // [px]
 constexpr int largest_tile = 1024;   // [samples] a side: its memory stays below 20 MB
-
-const PictureOptions& checked(const PictureOptions& options) {
-  if (options.supersampling < 1) throw InputError("super-sampling takes 1 or more");
-  if (options.width < 1 || options.height < 1) throw InputError("a picture has at least 1 x 1 px");
-  if (std::max(options.width, options.height) > largest_side) {
-    throw InputError(fmt::format("a picture of {} x {} px is too large; a side takes 1 to {} px", options.width,
-                                 options.height, largest_side));
-  }
-  if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
-  return options;
-}
 
 /// What a snapshot looks like from a camera.
 struct Frame {
@@ -77,22 +67,36 @@ void draw_spheres(SphereLayer& layer, const Frame& frame, const PixelWindow& win
 
 }  // namespace
 
+void check_picture(const PictureOptions& options) {
+  if (options.supersampling < 1) throw InputError("super-sampling takes 1 or more");
+  if (options.width < 1 || options.height < 1) throw InputError("a picture has at least 1 x 1 px");
+  if (std::max(options.width, options.height) > largest_side) {
+    throw InputError(fmt::format("a picture of {} x {} px is too large; a side takes 1 to {} px", options.width,
+                                 options.height, largest_side));
+  }
+  if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
+}
+
 struct ParticlePainter::Stage {
   WallLayer walls;
   LabelLayer labels;
   std::optional<Frame> frame;
+  std::optional<SphereLayer> spheres;
 
   explicit Stage(const PictureOptions& options) : walls(options.width, options.height, options.supersampling) {}
 };
 
-ParticlePainter::ParticlePainter(const PictureOptions& options)
-    : options_(checked(options)), stage_(std::make_unique<Stage>(options)) {}
+ParticlePainter::ParticlePainter(const PictureOptions& options) : options_(options) {
+  check_picture(options);
+  stage_ = std::make_unique<Stage>(options);
+}
 
 ParticlePainter::~ParticlePainter() = default;
 
 void ParticlePainter::show(const Snapshot& snapshot) {
   stage_->frame.emplace(snapshot, options_);
   const Frame& frame = *stage_->frame;
+  stage_->spheres.emplace(frame.camera);
   if (options_.container) {
     constexpr double line_weight = 0.06;  // of the font size
     stage_->walls.show(snapshot, frame.space, frame.camera, line_weight * frame.layout.font * options_.supersampling);
@@ -103,12 +107,12 @@ void ParticlePainter::show(const Snapshot& snapshot) {
 
 Image ParticlePainter::part(const PixelWindow& window) {
   Image image{window.width, window.height, std::vector<std::uint8_t>(window.pixels() * 3)};
-  SphereLayer spheres(stage_->frame->camera);
   // No tile reaches over two of the squares that the walls are drawn in.
   const int tile = std::max(1, largest_tile / options_.supersampling);
   const int patch = WallLayer::patch_side(options_.supersampling);
   for_each_aligned_tile(window, patch, tile, [&](const PixelWindow& part) {
     const PixelWindow samples = part.finer(options_.supersampling);
+    SphereLayer& spheres = *stage_->spheres;
     draw_spheres(spheres, *stage_->frame, samples, options_.cull);
     if (options_.container) stage_->walls.prepare(samples);
     const Layer particles = compose(spheres, options_.container ? &stage_->walls : nullptr, options_.supersampling);
@@ -129,11 +133,10 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   const Frame& frame = *stage_->frame;
   SphereLayer sphere(frame.camera);
   draw_spheres(sphere, frame, sample, options_.cull);
-  float distance = *sphere.distances(0);
+  float distance = sphere.blank() ? std::numeric_limits<float>::infinity() : *sphere.distances(0);
   if (options_.container) {
     stage_->walls.prepare(sample);
-    const auto [rgba, depth] = stage_->walls.row(0);
-    if (rgba[3] != 0) distance = std::min(distance, stage_->walls.distance(*depth));
+    distance = std::min(distance, *stage_->walls.row(0).distances);
   }
   if (!std::isfinite(distance)) return std::nullopt;
   const Vec3 point = frame.camera.point_at({sample.left + 0.5, sample.top + 0.5}, distance);

@@ -30,10 +30,13 @@ struct PictureOptions {
   int parts = 1;      ///< the particles are drawn in so many parts, merged by depth: the same picture
 };
 
+/// Throws InputError where a number of the options is out of range.
+void check_picture(const PictureOptions& options);
+
 /// Draws snapshots, one after the other, with the same options.
 class ParticlePainter {
  public:
-  /// Throws InputError when the size, times super-sampling, is out of range (offscreen.hpp).
+  /// Throws InputError as check_picture does.
   explicit ParticlePainter(const PictureOptions& options);
   ~ParticlePainter();
 

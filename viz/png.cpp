@@ -97,6 +97,9 @@ std::string png_head(int width, int height, const PngText& text, std::optional<d
 /// The file and the deflate stream that goes into its IDAT chunks. Level 1 of ISA-L: docs/picture_files.md has the
 /// choice.
 struct PngWriter::File {
+  /// ISA-L looks at so many bytes beyond its input, and what stands there can decide between two equal matches.
+  static constexpr std::size_t look_ahead = 512;
+
   explicit File(const std::filesystem::path& target)
       : path(target), out(temporary_name(target), std::ios::binary | std::ios::trunc) {
     check();
@@ -117,15 +120,17 @@ struct PngWriter::File {
   void write(std::string_view bytes) { out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); }
 
   void compress(std::vector<std::uint8_t>& bytes, bool last) {
+    const std::size_t count = bytes.size();
+    bytes.resize(count + look_ahead, 0);
     stream.next_in = bytes.data();
-    stream.avail_in = static_cast<std::uint32_t>(bytes.size());
+    stream.avail_in = static_cast<std::uint32_t>(count);
     stream.end_of_stream = last;
     do {
       stream.next_out = packed.data();
       stream.avail_out = static_cast<std::uint32_t>(packed.size());
       isal_deflate(&stream);
-      const std::size_t count = packed.size() - stream.avail_out;
-      if (count > 0) write(png_chunk("IDAT", {reinterpret_cast<const char*>(packed.data()), count}));
+      const std::size_t made = packed.size() - stream.avail_out;
+      if (made > 0) write(png_chunk("IDAT", {reinterpret_cast<const char*>(packed.data()), made}));
     } while (stream.avail_out == 0);
     bytes.clear();
     check();
@@ -137,7 +142,7 @@ struct PngWriter::File {
 
   std::filesystem::path path;
   std::ofstream out;
-  isal_zstream stream;
+  isal_zstream stream{};
   std::vector<std::uint8_t> work_space = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
   std::vector<std::uint8_t> packed = std::vector<std::uint8_t>(block_bytes);
   bool done = false;
@@ -148,7 +153,7 @@ PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, c
     : row_bytes_(static_cast<std::size_t>(std::max(width, 0)) * channels), rows_left_(height), above_(row_bytes_) {
   if (width < 1 || height < 1) throw InputError(fmt::format("a picture of {} x {} px has no pixels", width, height));
   const std::string head = png_head(width, height, text, dots_per_inch);
-  filtered_.reserve(block_bytes + 1 + row_bytes_);
+  filtered_.reserve(block_bytes + 1 + row_bytes_ + File::look_ahead);
   file_ = std::make_unique<File>(path);
   file_->write(head);
 }

@@ -100,13 +100,21 @@ SphereLayer::SphereLayer(const Camera& camera)
 void SphereLayer::reset(const PixelWindow& window) {
   window_ = window;
   stride_ = static_cast<std::size_t>(window.width) + lanes;
-  const std::size_t pixels = stride_ * static_cast<std::size_t>(window.height);
+  blank_ = true;
+}
+
+void SphereLayer::fill() {
+  const std::size_t pixels = stride_ * static_cast<std::size_t>(window_.height);
   distance_.assign(pixels, infinitely_far);
   colour_.assign(pixels, 0);
   number_.assign(pixels, nothing);
+  blank_ = false;
 }
 
 void SphereLayer::draw(const SphereCloud& cloud, bool cull) {
+  const auto in_window = [&](const SphereCloud::Packet& packet) { return !clipped(packet.outline, window_).empty(); };
+  if (std::none_of(cloud.packets().begin(), cloud.packets().end(), in_window)) return;
+  if (blank_) fill();
   Horizon horizon(*this);
   std::vector<SeenSphere> seen;
   for (const SphereCloud::Packet& packet : cloud.packets()) {
@@ -179,6 +187,11 @@ void SphereLayer::draw(const SeenSphere& sphere) {
 }
 
 void SphereLayer::merge(const SphereLayer& other) {
+  if (other.blank_) return;
+  if (blank_) {
+    *this = other;
+    return;
+  }
   for (std::size_t k = 0; k < distance_.size(); ++k) {
     const bool nearer =
         other.distance_[k] < distance_[k] || (other.distance_[k] == distance_[k] && other.number_[k] < number_[k]);

@@ -21,6 +21,8 @@ class SphereLayer {
 
   /// Empties it, for a window.
   void reset(const PixelWindow& window);
+  /// Whether nothing was drawn; its rows may not be asked for then.
+  bool blank() const { return blank_; }
 
   /// Draws spheres over what is there; the order of draws does not matter. With cull those that others hide cost
   /// little; the pixels are the same.
@@ -40,6 +42,7 @@ class SphereLayer {
  private:
   class Horizon;
 
+  void fill();
   std::size_t at(int row) const { return static_cast<std::size_t>(row) * stride_; }
   template <bool parallel>
   void draw(const SeenSphere& sphere);
@@ -47,6 +50,7 @@ class SphereLayer {
   PixelWindow window_;
   bool parallel_;
   float unit_per_pixel_;  // length (parallel) or slope (perspective) that a pixel takes
+  bool blank_ = true;
   std::size_t stride_ = 0;
   std::vector<float> distance_;
   std::vector<std::uint32_t> colour_, number_;

@@ -1,5 +1,7 @@
 #include "viz/wall_layer.hpp"
 
+#include <cstring>
+#include <limits>
 #include <optional>
 
 #include <vtkCamera.h>
@@ -22,8 +24,9 @@ struct WallLayer::Stage {
 
   std::vector<BoundaryRecord> shown;  // what the patch shows, with the domain
   Domain domain;
-  PixelWindow patch, prepared;  // patch without pixels: none is drawn
-  std::vector<float> depth;
+  PixelWindow patch, prepared;         // patch without pixels: none is drawn
+  std::vector<std::uint32_t> colours;  // of the patch, top row first
+  std::vector<float> distances;
 
   Stage(int whole_width, int whole_height, int square) : width(whole_width), height(whole_height), side(square) {
     renderer->SetBackground(0, 0, 0);
@@ -38,8 +41,28 @@ struct WallLayer::Stage {
     camera->of_part({static_cast<double>(patch.left), static_cast<double>(patch.top)})
         .apply(*renderer->GetActiveCamera(), patch.width, patch.height);
     window.render();
-    window.rgba();
-    depth = window.depths();
+    read_back();
+  }
+
+  void read_back() {
+    const std::vector<std::uint8_t>& rgba = window.rgba();
+    const std::vector<float> depths = window.depths();
+    const auto near = static_cast<float>(camera->nearest_distance());
+    const auto far = static_cast<float>(camera->farthest_distance());
+    colours.resize(patch.pixels());
+    distances.resize(patch.pixels());
+    const auto columns = static_cast<std::size_t>(patch.width), rows = static_cast<std::size_t>(patch.height);
+    constexpr std::uint32_t alpha = 0xff000000;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t from = (rows - 1 - row) * columns, to = row * columns;  // OpenGL has the bottom row first
+      std::memcpy(&colours[to], &rgba[4 * from], 4 * columns);
+      for (std::size_t k = 0; k < columns; ++k) {
+        const float depth = depths[from + k];
+        const float distance =
+            camera->parallel() ? near + depth * (far - near) : near * far / (far - depth * (far - near));
+        distances[to + k] = (colours[to + k] & alpha) != 0 ? distance : std::numeric_limits<float>::infinity();
+      }
+    }
   }
 };
 
@@ -71,16 +94,10 @@ void WallLayer::prepare(const PixelWindow& window) {
 
 WallLayer::Row WallLayer::row(int row) const {
   const Stage& stage = *stage_;
-  const int from_bottom = stage.patch.bottom() - 1 - (stage.prepared.top + row);
-  const std::size_t first =
-      static_cast<std::size_t>(from_bottom) * stage.patch.width + stage.prepared.left - stage.patch.left;
-  return {&stage.window.last_rgba()[4 * first], &stage.depth[first]};
-}
-
-float WallLayer::distance(float depth) const {
-  const auto near = static_cast<float>(stage_->camera->nearest_distance());
-  const auto far = static_cast<float>(stage_->camera->farthest_distance());
-  return stage_->camera->parallel() ? near + depth * (far - near) : near * far / (far - depth * (far - near));
+  const std::size_t from_top = static_cast<std::size_t>(stage.prepared.top + row - stage.patch.top);
+  const std::size_t first = from_top * static_cast<std::size_t>(stage.patch.width) +
+                            static_cast<std::size_t>(stage.prepared.left - stage.patch.left);
+  return {&stage.colours[first], &stage.distances[first]};
 }
 
 }  // namespace packstone::viz

@@ -28,18 +28,15 @@ class WallLayer {
   /// Side of the squares that pictures are drawn in, in pixels of so many samples a side.
   static int patch_side(int supersampling) { return std::max(1, most_samples / supersampling); }
 
-  /// A row of samples.
-  struct Row {
-    const std::uint8_t* rgba;  ///< (width * 4), premultiplied
-    const float* depth;        ///< (width) of OpenGL; see distance()
-  };
   /// Draws the square that holds the window of samples where needed. The window reaches over one only.
   void prepare(const PixelWindow& window);
-  /// Of the window prepared, from its left; the row counts from its top.
-  Row row(int row) const;
 
-  /// Along the camera's axis from the viewer.
-  float distance(float depth) const;
+  /// A row of the window prepared; the row counts from its top.
+  struct Row {
+    const std::uint32_t* colours;  ///< (width) red in the lowest byte, full in the highest; 0 where there is no wall
+    const float* distances;        ///< (width) along the camera's axis from the viewer; infinite where there is no wall
+  };
+  Row row(int row) const;
 
  private:
   static constexpr int most_samples = 4096;

@@ -68,6 +68,7 @@ Hit cast(const Spheres& spheres, const Camera& camera, int column, int row) {
 }
 
 bool same(const SphereLayer& a, const SphereLayer& b, int row_of_a, int column_of_a, int row, int column) {
+  if (a.blank()) return b.numbers(row)[column] == SphereLayer::nothing;
   return a.colours(row_of_a)[column_of_a] == b.colours(row)[column] &&
          a.distances(row_of_a)[column_of_a] == b.distances(row)[column] &&
          a.numbers(row_of_a)[column_of_a] == b.numbers(row)[column];

@@ -1,0 +1,39 @@
+// What packstone render is asked for, and its two ways to do it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/pictures.hpp"
+#include "core/run_folder.hpp"
+#include "viz/particle_scene.hpp"
+
+namespace packstone::cli {
+
+struct RenderCall {
+  std::filesystem::path path;
+  std::filesystem::path output;
+  PictureCall picture;
+  std::string camera = "iso";
+  std::string at = "last";
+  std::string frames;
+  std::string tiles;
+  int parts = 1;
+  int workers = 0;  ///< 0: one a core
+  int rate = 25;
+  bool quiet = false;
+};
+
+/// Throws InputError.
+viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run);
+
+/// Processes that share the work.
+int worker_count(const RenderCall& call);
+
+/// One picture, tile by tile, written in bands: its size is bounded by the disk, not by memory.
+void render_picture(const RenderCall& call, const RunReader& run);
+
+/// A film, or frames into a folder.
+void render_film(const RenderCall& call, const RunReader& run);
+
+}  // namespace packstone::cli

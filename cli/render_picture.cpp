@@ -1,0 +1,98 @@
+// One picture of a packing, in tiles.
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_call.hpp"
+#include "core/error.hpp"
+#include "viz/png.hpp"
+#include "viz/workers.hpp"
+
+namespace packstone::cli {
+
+namespace {
+
+constexpr double most_tile_pixels = 16e6;  // of the default tiles: 50 MB of picture each
+
+/// How a picture is divided, row by row from the top left.
+struct Tiling {
+  viz::PixelWindow whole;
+  int columns = 1, rows = 1;
+
+  std::size_t tiles() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  viz::PixelWindow tile(std::size_t index) const {
+    const auto column = static_cast<int>(index % static_cast<std::size_t>(columns));
+    const auto row = static_cast<int>(index / static_cast<std::size_t>(columns));
+    const auto place = [](int side, int k, int count) {
+      return static_cast<int>(static_cast<std::int64_t>(side) * k / count);
+    };
+    const int left = place(whole.width, column, columns), top = place(whole.height, row, rows);
+    return {left, top, place(whole.width, column + 1, columns) - left, place(whole.height, row + 1, rows) - top};
+  }
+  std::size_t largest_tile() const {
+    std::size_t pixels = 0;
+    for (std::size_t k = 0; k < tiles(); ++k) pixels = std::max(pixels, tile(k).pixels());
+    return pixels;
+  }
+};
+
+Tiling tiling_of(const RenderCall& call, const viz::PictureOptions& picture) {
+  Tiling tiling{.whole = {0, 0, picture.width, picture.height}};
+  if (call.tiles.empty()) {
+    tiling.rows = static_cast<int>(std::ceil(static_cast<double>(tiling.whole.pixels()) / most_tile_pixels));
+    return tiling;
+  }
+  int used = 0;
+  const bool read = std::sscanf(call.tiles.c_str(), "%dx%d%n", &tiling.columns, &tiling.rows, &used) == 2 &&
+                    used == static_cast<int>(call.tiles.size());
+  if (!read || tiling.columns < 1 || tiling.rows < 1 || tiling.columns > picture.width ||
+      tiling.rows > picture.height) {
+    throw InputError(fmt::format("--tiles {}: expected COLUMNSxROWS, at most one a pixel, such as 4x3", call.tiles));
+  }
+  return tiling;
+}
+
+}  // namespace
+
+void render_picture(const RenderCall& call, const RunReader& run) {
+  const viz::PictureOptions picture = picture_options(call, run);
+  viz::check_picture(picture);
+  const Tiling tiling = tiling_of(call, picture);
+  const std::size_t index = run.index_at(call.at);
+  const ReadOptions without_contacts{.region = {}, .contacts = false};
+  viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index));
+  Progress progress("tiles", call.quiet || tiling.tiles() == 1);
+  viz::Image band;
+  const viz::WorkInUnits work{
+      .count = tiling.tiles(),
+      .unit_name = "tile",
+      .result_bytes = tiling.largest_tile() * 3,
+      .prepare =
+          [&] {
+            const auto painter = std::make_shared<viz::ParticlePainter>(picture);
+            painter->show(run.snapshot(index, without_contacts));
+            return [painter, &tiling](std::size_t tile, std::uint8_t* result) {
+              const viz::Image image = painter->part(tiling.tile(tile));
+              std::copy(image.rgb.begin(), image.rgb.end(), result);
+            };
+          },
+      .take =
+          [&](std::size_t tile, const std::uint8_t* result) {
+            if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} tiles", tile, tiling.tiles()));
+            const viz::PixelWindow window = tiling.tile(tile);
+            if (window.left == 0) {
+              band = {picture.width, window.height, {}};
+              band.rgb.resize(static_cast<std::size_t>(band.width) * static_cast<std::size_t>(band.height) * 3);
+            }
+            viz::place(band, {window.width, window.height, {result, result + window.pixels() * 3}}, window.left, 0);
+            if (window.right() == picture.width) file.add_rows(band.rgb.data(), band.height);
+            progress.update(static_cast<std::int64_t>(tile + 1), static_cast<std::int64_t>(tiling.tiles()));
+          }};
+  viz::do_units(work, worker_count(call));
+  file.finish();
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,269 @@
+#include "viz/workers.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+constexpr int most_deaths = 3;          ///< of workers on one unit
+constexpr std::size_t units_ahead = 2;  ///< a worker, of the first that is not taken yet: bounds the memory
+constexpr std::size_t longest_message = 2000;
+
+enum class Outcome : std::uint8_t { done, input_error, failure };
+
+/// What a worker says of a unit, with its words where it failed.
+struct Answer {
+  std::size_t unit = 0;
+  Outcome outcome = Outcome::done;
+  char words[longest_message + 1] = {};
+};
+
+bool send_all(int socket, const void* bytes, std::size_t count) {
+  const auto* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t sent = send(socket, next, count, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    next += sent;
+    count -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+/// False at the end of the other side.
+bool receive_all(int socket, void* bytes, std::size_t count) {
+  auto* next = static_cast<char*>(bytes);
+  while (count > 0) {
+    const ssize_t got = recv(socket, next, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    next += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// Memory that a process and those forked from it share.
+class SharedMemory {
+ public:
+  explicit SharedMemory(std::size_t bytes) : bytes_(std::max<std::size_t>(bytes, 1)) {
+    void* const memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+      throw RunError(fmt::format("no {} bytes of memory for a picture: {}", bytes_, std::strerror(errno)));
+    memory_ = static_cast<std::uint8_t*>(memory);
+  }
+  ~SharedMemory() { munmap(memory_, bytes_); }
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+
+  std::uint8_t* data() const { return memory_; }
+
+ private:
+  std::size_t bytes_;
+  std::uint8_t* memory_;
+};
+
+Answer do_one(const DoUnit& do_unit, std::size_t unit, std::uint8_t* result) {
+  Answer answer{.unit = unit};
+  const auto failed = [&](Outcome outcome, const char* words) {
+    answer.outcome = outcome;
+    std::strncpy(answer.words, words, longest_message);
+  };
+  try {
+    do_unit(unit, result);
+  } catch (const InputError& error) {
+    failed(Outcome::input_error, error.what());
+  } catch (const std::exception& error) {
+    failed(Outcome::failure, error.what());
+  }
+  return answer;
+}
+
+/// A worker's life, until its parent's end of the socket closes.
+void work_on(const WorkInUnits& work, int socket, std::uint8_t* result) {
+  DoUnit do_unit;
+  std::size_t unit = 0;
+  while (receive_all(socket, &unit, sizeof unit)) {
+    std::memset(result, 0, work.result_bytes);
+    const DoUnit prepare_and_do = [&](std::size_t k, std::uint8_t* into) {
+      if (!do_unit) do_unit = work.prepare();
+      do_unit(k, into);
+    };
+    const Answer answer = do_one(prepare_and_do, unit, result);
+    if (!send_all(socket, &answer, sizeof answer)) return;
+  }
+}
+
+/// A process that does units.
+class Worker {
+ public:
+  Worker(const WorkInUnits& work, const std::vector<std::unique_ptr<Worker>>& others) : result_(work.result_bytes) {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start();
+    std::fflush(nullptr);  // or both processes write what is still there
+    const pid_t parent = getpid();
+    process_ = fork();
+    if (process_ < 0) {
+      close(ends[0]);
+      close(ends[1]);
+      fail_to_start();
+    }
+    if (process_ == 0) {
+      close(ends[0]);
+      for (const auto& other : others) {
+        if (other) close(other->socket_);  // or it would not see its parent go
+      }
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (getppid() != parent) _exit(EXIT_FAILURE);
+      std::signal(SIGINT, SIG_IGN);  // the parent ends its workers
+      omp_set_num_threads(1);
+      setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws in this thread
+      work_on(work, ends[1], result_.data());
+      _exit(EXIT_SUCCESS);
+    }
+    close(ends[1]);
+    socket_ = ends[0];
+  }
+  ~Worker() {
+    close(socket_);
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  int socket() const { return socket_; }
+  const std::uint8_t* result() const { return result_.data(); }
+  bool idle() const { return !busy_; }
+  std::size_t unit() const { return unit_; }
+
+  /// False where the process is gone.
+  bool start(std::size_t unit) {
+    unit_ = unit;
+    busy_ = true;
+    return send_all(socket_, &unit, sizeof unit);
+  }
+  bool finish(Answer& answer) {
+    busy_ = false;
+    return receive_all(socket_, &answer, sizeof answer);
+  }
+
+ private:
+  [[noreturn]] static void fail_to_start() {
+    throw RunError(fmt::format("a worker process cannot be started: {}", std::strerror(errno)));
+  }
+
+  SharedMemory result_;
+  pid_t process_ = 0;
+  int socket_ = -1;
+  bool busy_ = false;
+  std::size_t unit_ = 0;
+};
+
+/// Hands out units and takes results, in this process.
+class Foreman {
+ public:
+  Foreman(const WorkInUnits& work, std::size_t workers) : work_(work), workers_(workers), deaths_(work.count, 0) {
+    for (std::size_t unit = 0; unit < work.count; ++unit) waiting_.push_back(unit);
+  }
+
+  void run() {
+    while (taken_ < work_.count) {
+      for (auto& worker : workers_) hand_out(worker);
+      std::vector<pollfd> sockets;
+      for (const auto& worker : workers_) {
+        sockets.push_back({worker && !worker->idle() ? worker->socket() : -1, POLLIN, 0});
+      }
+      if (poll(sockets.data(), sockets.size(), -1) < 0) continue;  // a signal: take() may want to know
+      for (std::size_t k = 0; k < sockets.size(); ++k) {
+        if (sockets[k].revents != 0) collect(workers_[k]);
+      }
+      take_in_order();
+    }
+  }
+
+ private:
+  void hand_out(std::unique_ptr<Worker>& worker) {
+    if (waiting_.empty() || waiting_.front() >= taken_ + units_ahead * workers_.size()) return;
+    if (worker && !worker->idle()) return;
+    if (!worker) worker = std::make_unique<Worker>(work_, workers_);
+    const std::size_t unit = waiting_.front();
+    waiting_.pop_front();
+    if (!worker->start(unit)) bury(worker);
+  }
+
+  void collect(std::unique_ptr<Worker>& worker) {
+    Answer answer;
+    if (!worker->finish(answer)) return bury(worker);
+    if (answer.outcome == Outcome::input_error) throw InputError(answer.words);
+    if (answer.outcome == Outcome::failure) throw RunError(answer.words);
+    results_[answer.unit].assign(worker->result(), worker->result() + work_.result_bytes);
+  }
+
+  /// Its unit is the next to be done.
+  void bury(std::unique_ptr<Worker>& worker) {
+    const std::size_t unit = worker->unit();
+    worker.reset();
+    if (++deaths_[unit] == most_deaths) {
+      throw RunError(fmt::format("{} {}: {} worker processes died on it; is there enough memory?", work_.unit_name,
+                                 unit, most_deaths));
+    }
+    waiting_.push_front(unit);
+  }
+
+  void take_in_order() {
+    for (auto next = results_.find(taken_); next != results_.end(); next = results_.find(taken_)) {
+      work_.take(taken_, next->second.data());
+      results_.erase(next);
+      ++taken_;
+    }
+  }
+
+  const WorkInUnits& work_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::deque<std::size_t> waiting_;
+  std::map<std::size_t, std::vector<std::uint8_t>> results_;
+  std::size_t taken_ = 0;
+  std::vector<int> deaths_;
+};
+
+void do_alone(const WorkInUnits& work) {
+  const DoUnit do_unit = work.prepare();
+  std::vector<std::uint8_t> result(work.result_bytes);
+  for (std::size_t unit = 0; unit < work.count; ++unit) {
+    std::fill(result.begin(), result.end(), std::uint8_t{0});
+    do_unit(unit, result.data());
+    work.take(unit, result.data());
+  }
+}
+
+}  // namespace
+
+void do_units(const WorkInUnits& work, int workers) {
+  if (work.count == 0) return;
+  const std::size_t needed = std::min(work.count, static_cast<std::size_t>(std::max(1, workers)));
+  if (needed == 1) return do_alone(work);
+  Foreman(work, needed).run();
+}
+
+}  // namespace packstone::viz

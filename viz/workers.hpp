@@ -1,0 +1,32 @@
+// Work in units, shared out to processes: drawing keeps state that threads cannot share, and a process that dies takes
+// nothing along.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace packstone::viz {
+
+/// Does one unit; its result is of WorkInUnits::result_bytes, zero before.
+using DoUnit = std::function<void(std::size_t unit, std::uint8_t* result)>;
+
+/// Units 0 ... count - 1, each of which any worker can do, more than once if need be.
+struct WorkInUnits {
+  std::size_t count = 0;
+  std::string unit_name = "frame";  ///< for messages: "frame 3"
+  std::size_t result_bytes = 0;
+  /// Called once in every worker.
+  std::function<DoUnit()> prepare;
+  /// Called in this process in the order of the units.
+  std::function<void(std::size_t unit, const std::uint8_t* result)> take;
+};
+
+/// Does all units by so many processes, forked from this one, which draw with one thread each; by this process alone
+/// where there is one worker or one unit. A worker that dies is replaced and its unit done again. Throws what a worker
+/// or take throws (InputError, RunError as such), and RunError when a unit's workers die three times or none can be
+/// started; the workers are gone then.
+void do_units(const WorkInUnits& work, int workers);
+
+}  // namespace packstone::viz
