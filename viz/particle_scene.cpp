@@ -83,6 +83,16 @@ struct ParticlePainter::Stage {
   std::optional<Frame> frame;
   std::optional<SphereLayer> spheres;
 
+  /// A part that lies within one square of the walls.
+  Image paint(const PixelWindow& part, const PictureOptions& options) {
+    const PixelWindow samples = part.finer(options.supersampling);
+    draw_spheres(*spheres, *frame, samples, options.cull);
+    if (options.container) walls.prepare(samples);
+    const Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
+    const Layer words = labels.part(part);
+    return flatten({&particles, &words}, paper);
+  }
+
   explicit Stage(const PictureOptions& options) : walls(options.width, options.height, options.supersampling) {}
 };
 
@@ -107,17 +117,12 @@ void ParticlePainter::show(const Snapshot& snapshot) {
 
 Image ParticlePainter::part(const PixelWindow& window) {
   Image image{window.width, window.height, std::vector<std::uint8_t>(window.pixels() * 3)};
-  // No tile reaches over two of the squares that the walls are drawn in.
   const int tile = std::max(1, largest_tile / options_.supersampling);
-  const int patch = WallLayer::patch_side(options_.supersampling);
-  for_each_aligned_tile(window, patch, tile, [&](const PixelWindow& part) {
-    const PixelWindow samples = part.finer(options_.supersampling);
-    SphereLayer& spheres = *stage_->spheres;
-    draw_spheres(spheres, *stage_->frame, samples, options_.cull);
-    if (options_.container) stage_->walls.prepare(samples);
-    const Layer particles = compose(spheres, options_.container ? &stage_->walls : nullptr, options_.supersampling);
-    const Layer labels = stage_->labels.part(part);
-    place(image, flatten({&particles, &labels}, paper), part.left - window.left, part.top - window.top);
+  // The walls of one square after the other; no tile reaches over two.
+  for_each_square(window, WallLayer::patch_side(options_.supersampling), [&](const PixelWindow& square) {
+    for_each_square(square, tile, [&](const PixelWindow& part) {
+      place(image, stage_->paint(part, options_), part.left - window.left, part.top - window.top);
+    });
   });
   return image;
 }

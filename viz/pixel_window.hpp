@@ -27,16 +27,13 @@ struct PixelWindow {
   bool operator==(const PixelWindow&) const = default;
 };
 
-/// Visits the tiles of a window, row by row from the top left: at most side wide and high, none across the lines of a
-/// grid of squares over the whole picture.
+/// Visits the parts of a window that a grid of squares over the whole picture divides it into, row by row.
 template <class Visit>
-void for_each_aligned_tile(const PixelWindow& window, int square, int side, Visit&& visit) {
-  const auto end = [&](int from, int last) { return std::min({last, from + side, (from / square + 1) * square}); };
-  for (int top = window.top, bottom = 0; top < window.bottom(); top = bottom) {
-    bottom = end(top, window.bottom());
-    for (int left = window.left, right = 0; left < window.right(); left = right) {
-      right = end(left, window.right());
-      visit(PixelWindow{left, top, right - left, bottom - top});
+void for_each_square(const PixelWindow& window, int side, Visit&& visit) {
+  const auto line = [&](int place) { return (place / side + 1) * side; };  // of the grid, next after it
+  for (int top = window.top; top < window.bottom(); top = line(top)) {
+    for (int left = window.left; left < window.right(); left = line(left)) {
+      visit(window.common({left, top, line(left) - left, line(top) - top}));
     }
   }
 }

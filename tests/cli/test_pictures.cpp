@@ -76,16 +76,60 @@ TEST_CASE("pictures, a film, a slice, charts and a report come out without a dis
   done("report " + run.path + " " + run.path + run.out("both.html"), "");
 }
 
+TEST_CASE("tiles, parts and workers change no byte of a picture or a film") {
+  const Run run;
+  const auto made = [&](const std::string& name, const std::string& options) {
+    const auto result = packstone_command("render " + run.path + run.out(name) + " --size 322x242 --quiet" + options);
+    INFO(options << "\n" << result.output);
+    REQUIRE(result.exit_code == 0);
+    return read_text_file(run.folder / name);
+  };
+  const std::string picture = made("one.png", " --workers 1");
+  CHECK((made("tiles.png", " --tiles 4x3 --workers 1") == picture));
+  CHECK((made("more.png", " --tiles 3x5 --workers 3 --parts 8") == picture));
+  const std::string film = made("one.mp4", " --workers 1");
+  CHECK((made("more.mp4", " --workers 3 --parts 2") == film));
+}
+
+TEST_CASE("a worker that is killed in the middle of a film leaves no trace in it") {
+  const Run run;
+  const std::string call = "render " + run.path + " --size 800x600 --supersampling 4 --quiet";
+  REQUIRE(packstone_command(call + run.out("whole") + " --workers 1").exit_code == 0);
+  // Once there are workers, one of them is killed a little later.
+  const std::string children = "/proc/$P/task/$P/children";
+  const auto killed =
+      testing::shell("(" + std::string(PACKSTONE_COMMAND) + " " + call + run.out("killed") +
+                     " --workers 2 & P=$!; for k in $(seq 500); do grep -q . " + children +
+                     " && break; sleep 0.01; done; sleep 0.1; kill -9 $(cut -d ' ' -f 1 " + children + ") && wait $P)");
+  INFO(killed.output);
+  REQUIRE(killed.exit_code == 0);
+  int frames = 0;
+  for (const auto& file : std::filesystem::directory_iterator(run.folder / "whole")) {
+    CHECK((read_text_file(file.path()) == read_text_file(run.folder / "killed" / file.path().filename())));
+    ++frames;
+  }
+  CHECK(frames == 5);
+  const std::filesystem::directory_iterator left(run.folder / "killed");
+  CHECK(std::distance(begin(left), end(left)) == frames);
+}
+
 TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
   const Run run;
   for (const std::string& call :
-       {"render " + run.path + run.out("x.png") + " --color sped", "render " + run.path + run.out("x.jpg"),
-        "render " + run.path + run.out("x.png") + " --at 99", "render " + run.path + run.out("x.png") + " --size 10",
+       {"render " + run.path + run.out("x.png") + " --color sped",
+        "render " + run.path + run.out("x.jpg"),
+        "render " + run.path + run.out("x.png") + " --at 99",
+        "render " + run.path + run.out("x.png") + " --size 10",
         "render " + run.path + run.out("x.png") + " --camera side",
         "render " + run.path + run.out("x.png") + " --frames 0:2",
         "render " + run.path + run.out("x.mp4") + " --size 321x240",
         "render " + run.path + run.out("x.mp4") + " --frames 4:1",
-        "render " + run.path + run.out("x.png") + " --size 20000x100",
+        "render " + run.path + run.out("x.png") + " --size 40000x100",
+        "render " + run.path + run.out("x.png") + " --tiles 4",
+        "render " + run.path + run.out("x.png") + " --tiles 0x3",
+        "render " + run.path + run.out("x.mp4") + " --tiles 2x2",
+        "render " + run.path + run.out("x.png") + " --workers 0",
+        "render " + run.path + run.out("x.png") + " --parts 0",
         "slice " + run.path + run.out("x.png") + " --plane w=1",
         "slice " + run.path + run.out("x.png") + " --plane z=9",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85",
@@ -95,7 +139,8 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 55 --font-pt 0",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 55 --size 100x100",
         "slice " + run.path + run.out("x.pdf") + " --plane z=20mm --font-pt 8",
-        "plot " + run.path + run.out("x.png") + " --what enrgy", "report " + run.path + run.out("x.pdf"),
+        "plot " + run.path + run.out("x.png") + " --what enrgy",
+        "report " + run.path + run.out("x.pdf"),
         "render /no/such/run" + run.out("x.png")}) {
     const auto result = packstone_command(call);
     INFO(call << "\n" << result.output);
