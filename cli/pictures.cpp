@@ -86,8 +86,9 @@ viz::PngText provenance(const RunReader& run, std::size_t index) {
   header.time = run.times().at(index);
   constexpr double nowhere = std::numeric_limits<double>::max();
   if (run.snapshot_files().at(index).extension() == ".vtkhdf") {
-    header =
-        run.snapshot(index, {.region = Region{Vec3::Constant(nowhere), Vec3::Constant(nowhere)}, .contacts = false});
+    header = run.snapshot(
+        index,
+        {.region = Region{Vec3::Constant(nowhere), Vec3::Constant(nowhere)}, .contacts = false, .fields = false});
   }
   return provenance(run, header);
 }

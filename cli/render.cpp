@@ -25,6 +25,10 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   return picture;
 }
 
+ReadOptions read_for(const viz::PictureOptions& picture) {
+  return {.region = {}, .contacts = false, .fields = viz::colour_needs_fields(picture.color)};
+}
+
 int worker_count(const RenderCall& call) {
   return call.workers > 0 ? call.workers : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }

@@ -27,6 +27,9 @@ struct RenderCall {
 /// Throws InputError.
 viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run);
 
+/// What of a snapshot a picture shows.
+ReadOptions read_for(const viz::PictureOptions& picture);
+
 /// Processes that share the work.
 int worker_count(const RenderCall& call);
 

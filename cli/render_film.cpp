@@ -17,13 +17,11 @@ namespace packstone::cli {
 
 namespace {
 
-const ReadOptions without_contacts{.region = {}, .contacts = false};
-
 /// The colour scale of a film spans all of its frames.
 void fix_range(viz::PictureOptions& picture, const RunReader& run, const std::vector<std::size_t>& frames) {
   if (picture.range) return;
   for (const std::size_t index : frames) {
-    const auto range = viz::value_range(run.snapshot(index, without_contacts), picture.color);
+    const auto range = viz::value_range(run.snapshot(index, read_for(picture)), picture.color);
     if (!range) return;  // categories
     picture.range = picture.range ? std::pair{std::min(picture.range->first, range->first),
                                               std::max(picture.range->second, range->second)}
@@ -60,7 +58,7 @@ void render_film(const RenderCall& call, const RunReader& run) {
     std::filesystem::create_directories(call.output, error);
     if (error) throw InputError(call.output.string() + ": cannot be made: " + error.message());
     const auto paint = [&](viz::ParticlePainter& painter, std::size_t k, std::uint8_t*) {
-      const Snapshot snapshot = run.snapshot(frames[k], without_contacts);
+      const Snapshot snapshot = run.snapshot(frames[k], read_for(picture));
       const auto file = call.output / fmt::format("frame_{:06}.png", frames[k]);
       viz::write_png(file, painter.paint(snapshot), provenance(run, snapshot));
     };
@@ -72,7 +70,7 @@ void render_film(const RenderCall& call, const RunReader& run) {
   viz::Image image{picture.width, picture.height, {}};
   const std::size_t bytes = viz::PixelWindow{0, 0, picture.width, picture.height}.pixels() * 3;
   const auto paint = [&](viz::ParticlePainter& painter, std::size_t k, std::uint8_t* result) {
-    const viz::Image frame = painter.paint(run.snapshot(frames[k], without_contacts));
+    const viz::Image frame = painter.paint(run.snapshot(frames[k], read_for(picture)));
     std::copy(frame.rgb.begin(), frame.rgb.end(), result);
   };
   const auto take = [&](std::size_t k, const std::uint8_t* result) {

@@ -62,7 +62,6 @@ void render_picture(const RenderCall& call, const RunReader& run) {
   viz::check_picture(picture);
   const Tiling tiling = tiling_of(call, picture);
   const std::size_t index = run.index_at(call.at);
-  const ReadOptions without_contacts{.region = {}, .contacts = false};
   viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index));
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
   viz::Image band;
@@ -73,7 +72,7 @@ void render_picture(const RenderCall& call, const RunReader& run) {
       .prepare =
           [&] {
             const auto painter = std::make_shared<viz::ParticlePainter>(picture);
-            painter->show(run.snapshot(index, without_contacts));
+            painter->show(run.snapshot(index, read_for(picture)));
             return [painter, &tiling](std::size_t tile, std::uint8_t* result) {
               const viz::Image image = painter->part(tiling.tile(tile));
               std::copy(image.rgb.begin(), image.rgb.end(), result);

@@ -315,13 +315,20 @@ void read_context(const hdf5::Reader& file, Snapshot& s) {
   s.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
 }
 
-void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::size_t rows) {
-  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::size_t rows, bool fields) {
+  const auto append = [](auto& to, auto&& from) {
+    if (to.empty()) {
+      to = std::move(from);
+    } else {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+  };
   append(s.position, vectors(file.dataset<double>("/VTKHDF/Points", 3, first, rows)));
   append(s.radius, file.dataset<double>("/VTKHDF/PointData/radius", 1, first, rows));
   append(s.id, file.dataset<std::int64_t>("/VTKHDF/PointData/id", 1, first, rows));
   append(s.type, file.dataset<std::int32_t>("/VTKHDF/PointData/type", 1, first, rows));
   append(s.material, file.dataset<std::int32_t>("/VTKHDF/PointData/material", 1, first, rows));
+  if (!fields) return;
   for (const auto& name : file.children("/VTKHDF/PointData")) {
     if (name == "radius" || name == "id" || name == "type" || name == "material") continue;
     const std::string set = "/VTKHDF/PointData/" + name;
@@ -332,7 +339,7 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
   }
 }
 
-void read_region(const hdf5::Reader& file, Snapshot& s, std::size_t total, const Region& region) {
+void read_region(const hdf5::Reader& file, Snapshot& s, std::size_t total, const Region& region, bool fields) {
   const auto first_row = file.dataset<std::int64_t>("/packstone/chunk_first_row");
   const auto bounds = file.dataset<double>("/packstone/chunk_bounds", 6, 0, first_row.size());
   for (std::size_t c = 0; c < first_row.size(); ++c) {
@@ -341,7 +348,7 @@ void read_region(const hdf5::Reader& file, Snapshot& s, std::size_t total, const
     const auto first = static_cast<std::size_t>(first_row[c]);
     const auto last = c + 1 < first_row.size() ? static_cast<std::size_t>(first_row[c + 1]) : total;
     if (last < first) file.fail("/packstone/chunk_first_row does not ascend");
-    append_rows(file, s, first, last - first);
+    append_rows(file, s, first, last - first, fields);
   }
 }
 
@@ -437,10 +444,10 @@ Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& opt
   s.step = file.dataset<std::int64_t>("/VTKHDF/FieldData/step", 1, 0, 1).front();
   const std::size_t total = file.shape("/VTKHDF/Points").first;
   if (options.region) {
-    read_region(file, s, total, *options.region);
+    read_region(file, s, total, *options.region, options.fields);
     s = restricted(s, *options.region);
   } else {
-    append_rows(file, s, 0, total);
+    append_rows(file, s, 0, total, options.fields);
   }
   if (options.contacts && file.has("/contacts/pair")) s.contacts = read_contacts(file);
   check_indices(file, s);

@@ -116,6 +116,7 @@ struct Region {
 struct ReadOptions {
   std::optional<Region> region;  ///< only chunks whose spheres can touch it, then only such spheres
   bool contacts = true;
+  bool fields = true;  ///< Snapshot::fields
 };
 
 /// The rows along a Morton curve through the box around the centres (G. M. Morton, IBM Ltd., Ottawa, 1966), ties by id:

@@ -74,9 +74,14 @@ Colouring colour_categories(const std::vector<std::int32_t>& category, const std
                             const std::string& title) {
   Colouring colouring;
   colouring.title = title;
-  colouring.colours.reserve(category.size());
-  for (const std::int32_t index : category) {
-    colouring.colours.push_back(index < 0 ? no_value : category_colour(static_cast<std::size_t>(index)));
+  const std::int32_t last = category.empty() ? -1 : *std::max_element(category.begin(), category.end());
+  std::vector<Colour> palette;
+  for (std::int32_t index = 0; index <= last; ++index)
+    palette.push_back(category_colour(static_cast<std::size_t>(index)));
+  colouring.colours.resize(category.size());
+  for (std::size_t row = 0; row < category.size(); ++row) {
+    const std::int32_t index = category[row];
+    colouring.colours[row] = index < 0 ? no_value : palette[static_cast<std::size_t>(index)];
   }
   for (std::size_t i = 0; i < names.size(); ++i) colouring.entries.push_back({category_colour(i), names[i]});
   return colouring;
@@ -89,6 +94,8 @@ Colouring colour_groups(const Snapshot& snapshot) {
 }
 
 }  // namespace
+
+bool colour_needs_fields(const std::string& name) { return name != "type" && name != "material" && name != "radius"; }
 
 std::vector<std::string> colour_names(const Snapshot& snapshot) {
   std::vector<std::string> names = {"type", "material", "radius"};

@@ -27,6 +27,9 @@ struct Colouring {
   std::optional<ValueRange> range;   ///< of the colour scale; absent for categories
 };
 
+/// Whether a snapshot without its fields lacks what to colour by.
+bool colour_needs_fields(const std::string& name);
+
 /// "type", "material", "radius", "speed" (where there are velocities) and the fields of the snapshot.
 std::vector<std::string> colour_names(const Snapshot& snapshot);
 

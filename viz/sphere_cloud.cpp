@@ -1,6 +1,7 @@
 #include "viz/sphere_cloud.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -44,33 +45,6 @@ Outline outline_of(std::span<const Vec3> centres, std::span<const double> radii,
           nearest_of(near)};
 }
 
-/// Lowest and highest coordinate or slope of a sphere along one side of the picture.
-struct Extent {
-  double low, high;
-};
-
-/// Slopes of the two tangents from the viewer to a circle with its centre so far across and along the line of sight.
-Extent tangents(double across, double along, double radius) {
-  const double square = along * along - radius * radius;
-  const double root = radius * std::sqrt(across * across + square);
-  return {(across * along - root) / square, (across * along + root) / square};
-}
-
-/// The pixels whose middles a sphere with its centre at c, as seen from the eye, can cover.
-Outline outline_of(const Vec3& c, double radius, const Camera& camera) {
-  Extent x{c.x() - radius, c.x() + radius}, y{c.y() - radius, c.y() + radius};
-  if (!camera.parallel()) {
-    x = tangents(c.x(), c.z(), radius);
-    y = tangents(c.y(), c.z(), radius);
-  }
-  const auto pixel = [&](double middle, double place) { return middle + camera.focal() * place - 0.5; };
-  const Point middle = camera.centre();
-  return {whole(std::ceil(pixel(middle.x, x.low) - edge_safety)),
-          whole(std::ceil(pixel(middle.y, y.low) - edge_safety)),
-          whole(std::floor(pixel(middle.x, x.high) + edge_safety) + 1),
-          whole(std::floor(pixel(middle.y, y.high) + edge_safety) + 1), nearest_of(c.z() - radius)};
-}
-
 }  // namespace
 
 Outline clipped(Outline outline, const PixelWindow& window) {
@@ -94,33 +68,72 @@ SphereCloud::SphereCloud(std::span<const Vec3> centres, std::span<const double> 
   });
 }
 
-void SphereCloud::see(const Packet& packet, const PixelWindow& window, std::vector<SeenSphere>& seen) const {
-  seen.clear();
-  const bool parallel = camera_.parallel();
-  for (std::size_t i = packet.first; i < packet.last; ++i) {
-    const Vec3 c = camera_.seen_from_eye(centres_[i]);
-    if (!(radii_[i] > 0) || c.z() - radii_[i] < camera_.nearest_distance()) continue;
-    const Outline outline = clipped(outline_of(c, radii_[i], camera_), window);
-    if (outline.empty()) continue;
-    const double slope_x = parallel ? 0 : c.x() / c.z(), slope_y = parallel ? 0 : c.y() / c.z();
-    const double x = camera_.centre().x + camera_.focal() * (parallel ? c.x() : slope_x) - 0.5;
-    const double y = camera_.centre().y + camera_.focal() * (parallel ? c.y() : slope_y) - 0.5;
-    const double column = std::round(x), row = std::round(y);
-    seen.push_back({.column = static_cast<int>(column),
-                    .row = static_cast<int>(row),
-                    .right = static_cast<float>(x - column),
-                    .down = static_cast<float>(y - row),
-                    .slope_x = static_cast<float>(slope_x),
-                    .slope_y = static_cast<float>(slope_y),
-                    .distance = static_cast<float>(c.z()),
-                    .radius = static_cast<float>(radii_[i]),
-                    .outline = outline,
-                    .colour = packed(colours_[i]),
-                    .number = static_cast<std::uint32_t>(first_number_ + i)});
+// A sphere's picture ends, along either side, at the tangents from the viewer: with its centre so far across and along
+// the line of sight these have the slopes (across along -+ r sqrt(across^2 + along^2 - r^2)) / (along^2 - r^2). It
+// covers the pixels whose middles lie between.
+template <bool parallel>
+void SphereCloud::find_outlines(const Packet& packet, std::vector<Candidate>& found) const {
+  const std::size_t count = packet.last - packet.first;
+  std::array<Vec3, rows_a_packet> place;
+  for (std::size_t k = 0; k < count; ++k) place[k] = camera_.seen_from_eye(centres_[packet.first + k]);
+  std::array<double, rows_a_packet> left, top, right, bottom;
+  const double focal = camera_.focal(), middle_x = camera_.centre().x - 0.5, middle_y = camera_.centre().y - 0.5;
+  const double* const radius = &radii_[packet.first];
+#pragma omp simd
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = place[k].x(), y = place[k].y(), z = place[k].z(), r = radius[k];
+    const double square = parallel ? 1 : z * z - r * r, along = parallel ? 1 : z;
+    const double reach_x = parallel ? r : r * std::sqrt(x * x + square);
+    const double reach_y = parallel ? r : r * std::sqrt(y * y + square);
+    const double scale = focal / square;
+    left[k] = std::ceil(middle_x + (x * along - reach_x) * scale - edge_safety);
+    right[k] = std::floor(middle_x + (x * along + reach_x) * scale + edge_safety);
+    top[k] = std::ceil(middle_y + (y * along - reach_y) * scale - edge_safety);
+    bottom[k] = std::floor(middle_y + (y * along + reach_y) * scale + edge_safety);
   }
-  std::sort(seen.begin(), seen.end(), [](const SeenSphere& a, const SeenSphere& b) {
-    return std::pair(a.outline.nearest, a.number) < std::pair(b.outline.nearest, b.number);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double nearest = place[k].z() - radius[k];
+    if (!(radius[k] > 0) || nearest < camera_.nearest_distance()) continue;
+    found.push_back({{whole(left[k]), whole(top[k]), whole(right[k] + 1), whole(bottom[k] + 1), nearest_of(nearest)},
+                     packet.first + k});
+  }
+}
+
+void SphereCloud::find(const Packet& packet, const PixelWindow& window, std::vector<Candidate>& found) const {
+  found.clear();
+  if (camera_.parallel()) {
+    find_outlines<true>(packet, found);
+  } else {
+    find_outlines<false>(packet, found);
+  }
+  const auto end = std::remove_if(found.begin(), found.end(), [&](Candidate& candidate) {
+    candidate.outline = clipped(candidate.outline, window);
+    return candidate.outline.empty();
   });
+  found.erase(end, found.end());
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return a.outline.nearest < b.outline.nearest || (a.outline.nearest == b.outline.nearest && a.row < b.row);
+  });
+}
+
+SeenSphere SphereCloud::seen(const Candidate& candidate) const {
+  const Vec3 c = camera_.seen_from_eye(centres_[candidate.row]);
+  const bool parallel = camera_.parallel();
+  const double slope_x = parallel ? 0 : c.x() / c.z(), slope_y = parallel ? 0 : c.y() / c.z();
+  const double x = camera_.centre().x + camera_.focal() * (parallel ? c.x() : slope_x) - 0.5;
+  const double y = camera_.centre().y + camera_.focal() * (parallel ? c.y() : slope_y) - 0.5;
+  const double column = std::round(x), row = std::round(y);
+  return {.column = static_cast<int>(column),
+          .row = static_cast<int>(row),
+          .right = static_cast<float>(x - column),
+          .down = static_cast<float>(y - row),
+          .slope_x = static_cast<float>(slope_x),
+          .slope_y = static_cast<float>(slope_y),
+          .distance = static_cast<float>(c.z()),
+          .radius = static_cast<float>(radii_[candidate.row]),
+          .outline = candidate.outline,
+          .colour = packed(colours_[candidate.row]),
+          .number = static_cast<std::uint32_t>(first_number_ + candidate.row)};
 }
 
 }  // namespace packstone::viz

@@ -47,11 +47,20 @@ class SphereCloud {
   /// The nearest first.
   const std::vector<Packet>& packets() const { return packets_; }
 
+  /// A sphere that may be seen.
+  struct Candidate {
+    Outline outline;  ///< in the window
+    std::size_t row;
+  };
   /// The spheres of a packet that reach into the window, the nearest first, without those that reach nearer to the
   /// viewer than the camera allows.
-  void see(const Packet& packet, const PixelWindow& window, std::vector<SeenSphere>& seen) const;
+  void find(const Packet& packet, const PixelWindow& window, std::vector<Candidate>& found) const;
+  SeenSphere seen(const Candidate& candidate) const;
 
  private:
+  template <bool parallel>
+  void find_outlines(const Packet& packet, std::vector<Candidate>& found) const;
+
   std::span<const Vec3> centres_;
   std::span<const double> radii_;
   std::span<const Colour> colours_;

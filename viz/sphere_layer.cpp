@@ -116,13 +116,14 @@ void SphereLayer::draw(const SphereCloud& cloud, bool cull) {
   if (std::none_of(cloud.packets().begin(), cloud.packets().end(), in_window)) return;
   if (blank_) fill();
   Horizon horizon(*this);
-  std::vector<SeenSphere> seen;
+  std::vector<SphereCloud::Candidate> found;
   for (const SphereCloud::Packet& packet : cloud.packets()) {
     const Outline outline = clipped(packet.outline, window_);
     if (outline.empty() || (cull && horizon.hides(outline))) continue;
-    cloud.see(packet, window_, seen);
-    for (const SeenSphere& sphere : seen) {
-      if (cull && horizon.hides(sphere.outline)) continue;
+    cloud.find(packet, window_, found);
+    for (const SphereCloud::Candidate& candidate : found) {
+      if (cull && horizon.hides(candidate.outline)) continue;
+      const SeenSphere sphere = cloud.seen(candidate);
       if (parallel_) {
         draw<true>(sphere);
       } else {
