@@ -40,6 +40,7 @@ class WallLayer {
 
  private:
   static constexpr int most_samples = 4096;
+  static constexpr std::size_t most_kept = std::size_t{1} << 26;  ///< samples of all squares: 0.5 GB
 
   struct Stage;
   std::unique_ptr<Stage> stage_;

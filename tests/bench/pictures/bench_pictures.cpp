@@ -1,0 +1,142 @@
+// Time a picture of a snapshot takes: packstone's spheres beside VTK's two ways, in one run, each with reading back and
+// with the same PNG writer. bench_pictures SNAPSHOT [WIDTH HEIGHT [FRAMES]]
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include "core/error.hpp"
+#include "core/snapshot.hpp"
+#include "tests/temporary_folder.hpp"
+#include "viz/annotation.hpp"
+#include "viz/offscreen.hpp"
+#include "viz/particle_scene.hpp"
+#include "viz/png.hpp"
+
+namespace {
+
+using namespace packstone;
+
+constexpr const char* radius_array = "radius";
+
+double median_seconds(int frames, const std::function<void()>& frame) {
+  std::vector<double> seconds;
+  for (int k = 0; k < frames; ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    frame();
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+/// The spheres as points of VTK, in unit space, with radii and vertices.
+vtkNew<vtkPolyData> points_of(const Snapshot& snapshot, const viz::UnitSpace& space) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> radii;
+  vtkNew<vtkCellArray> vertices;
+  radii->SetName(radius_array);
+  for (std::size_t row = 0; row < snapshot.size(); ++row) {
+    const Vec3 p = (snapshot.position[row] - space.centre) * space.scale;
+    const vtkIdType id = points->InsertNextPoint(p.data());
+    radii->InsertNextValue(static_cast<float>(snapshot.radius[row] * space.scale));
+    vertices->InsertNextCell(1, &id);
+  }
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->GetPointData()->AddArray(radii);
+  return data;
+}
+
+/// Median seconds of a frame of VTK's, drawn anew, read back and written.
+double time_vtk(vtkMapper* mapper, const viz::Camera& camera, const viz::PictureOptions& options, int frames,
+                const std::filesystem::path& file) {
+  viz::OffscreenWindow window(options.width, options.height);
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  window.window()->AddRenderer(renderer);
+  camera.apply(*renderer->GetActiveCamera(), options.width, options.height);
+  viz::Image image{options.width, options.height, {}};
+  window.render();  // VTK's buffers are filled once; the frames are of a moving camera, say
+  return median_seconds(frames, [&] {
+    window.render();
+    const auto& rgba = window.rgba();
+    image.rgb.clear();
+    for (std::size_t k = 0; k < rgba.size(); k += 4) image.rgb.insert(image.rgb.end(), &rgba[k], &rgba[k] + 3);
+    viz::write_png(file, image);
+  });
+}
+
+void compare(const Snapshot& snapshot, viz::PictureOptions options, int frames) {
+  const testing::TemporaryFolder folder;
+  const auto file = folder / "frame.png";
+  options.legend = options.time = options.scale = options.axes = options.container = false;
+  const viz::UnitSpace space(snapshot.domain);
+  const viz::Camera camera = viz::lay_out(options, space, viz::colour_particles(snapshot, "type", {})).camera;
+
+  fmt::print("{} spheres, {} x {} px, PNG written, one process\n\n| way | s a frame | frames a second | ratio |\n",
+             snapshot.size(), options.width, options.height);
+  fmt::print("|---|---|---|---|\n");
+  double reference = 0;
+  const auto row = [&](const char* name, double seconds) {
+    if (reference == 0) reference = seconds;
+    fmt::print("| {} | {:.3f} | {:.2f} | {:.1f} |\n", name, seconds, 1 / seconds, seconds / reference);
+  };
+  for (const int supersampling : {1, 2}) {
+    options.supersampling = supersampling;
+    viz::ParticlePainter painter(options);
+    const auto frame = [&] { viz::write_png(file, painter.paint(snapshot)); };
+    frame();
+    row(supersampling == 1 ? "packstone" : "packstone, 2 x 2 samples a pixel", median_seconds(frames, frame));
+  }
+  const auto points = points_of(snapshot, space);
+  vtkNew<vtkOpenGLSphereMapper> impostors;
+  impostors->SetInputData(points);
+  impostors->SetScaleArray(radius_array);
+  row("vtkOpenGLSphereMapper", time_vtk(impostors, camera, options, frames, file));
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1);
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputData(points);
+  glyphs->SetSourceConnection(sphere->GetOutputPort());
+  glyphs->SetScaleArray(radius_array);
+  glyphs->SetScaleModeToScaleByMagnitude();
+  row("vtkGlyph3DMapper, 8 x 8 facets", time_vtk(glyphs, camera, options, 1, file));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 && argc != 4 && argc != 5) {
+    fmt::print(stderr, "usage: bench_pictures SNAPSHOT [WIDTH HEIGHT [FRAMES]]\n");
+    return 2;
+  }
+  constexpr int usual_frames = 9;
+  try {
+    packstone::viz::PictureOptions options;
+    if (argc > 2) options.width = std::atoi(argv[2]);
+    if (argc > 2) options.height = std::atoi(argv[3]);
+    compare(packstone::read_snapshot(argv[1], {.region = {}, .contacts = false}), options,
+            argc > 4 ? std::atoi(argv[4]) : usual_frames);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench_pictures: error: {}\n", error.what());
+    return 1;
+  }
+}
