@@ -17,6 +17,7 @@ struct RenderCall {
   std::string camera = "iso";
   std::string at = "last";
   std::string frames;
+  std::string cut;
   std::string tiles;
   int parts = 1;
   int workers = 0;  ///< 0: one a core

@@ -41,7 +41,8 @@ struct Frame {
         radii(snapshot.size()) {
     for (std::size_t row = 0; row < snapshot.size(); ++row) {
       centres[row] = (snapshot.position[row] - space.centre) * space.scale;
-      radii[row] = snapshot.radius[row] * space.scale;
+      const bool left_out = is_cut_away(options.cut, snapshot.position[row]);
+      radii[row] = left_out ? 0 : snapshot.radius[row] * space.scale;  // of no radius nothing is drawn
     }
     const auto count = static_cast<std::size_t>(options.parts);
     for (std::size_t k = 0; k < count; ++k) {

@@ -8,6 +8,7 @@
 #include "core/snapshot.hpp"
 #include "viz/camera.hpp"
 #include "viz/colouring.hpp"
+#include "viz/cut_away.hpp"
 #include "viz/image.hpp"
 #include "viz/pixel_window.hpp"
 
@@ -26,6 +27,7 @@ struct PictureOptions {
   bool container = true;
   bool scale = true;  ///< lengths of the box's edges (iso), or a scale bar
   bool axes = true;   ///< directions of x, y, z
+  CutAway cut;        ///< particles with centres in it are left out
   bool cull = true;   ///< leaves out hidden particles first: the same picture, faster
   int parts = 1;      ///< the particles are drawn in so many parts, merged by depth: the same picture
 };

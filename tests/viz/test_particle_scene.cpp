@@ -262,6 +262,30 @@ TEST_CASE("a plane is cut off at the box") {
   CHECK(plane_in_box(Vec3(0.1, 0, 0), Vec3(1, 1, 1).normalized(), low, high).size() == 3);
 }
 
+TEST_CASE("what is cut away shows what lies behind it") {
+  Snapshot snapshot = testing::single_sphere(0.1);
+  testing::add_particle(snapshot, Vec3(0.5, 0.2, 0.5), 0.3, 1);  // before the first, as seen from the front
+  PictureOptions options = bare(View::front);
+  const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
+  const auto seen = [&](const std::string& cut) {
+    options.cut = cut_from_text(cut);
+    const Colour colour = draw_particles(snapshot, options).at(static_cast<int>(middle.x), static_cast<int>(middle.y));
+    for (const std::size_t type : {0, 1}) {
+      if (std::abs(colour.r - 0.905 * category_colour(type).r) < 6) return static_cast<int>(type);
+    }
+    return colour == paper ? -1 : -2;
+  };
+  CHECK(seen("") == 1);
+  CHECK(seen("y<0.3") == 0);
+  CHECK(seen("y > 300 mm") == 1);
+  CHECK(seen("y<0.3,x>0.6") == 1);  // a corner that holds no centre
+  CHECK(seen("y < 30 cm, x < 0.6 m") == 0);
+  CHECK(seen("z<1") == -1);
+  for (const char* bad : {"y", "w>1", "y=0.2", "x>0.3,", "x>,y<1", "x>3 kg", ","}) {
+    CHECK_THROWS_AS(cut_from_text(bad), InputError);
+  }
+}
+
 TEST_CASE("bad options are refused") {
   CHECK_THROWS_AS(view_named("above"), InputError);
   CHECK(view_named("bottom") == View::bottom);
