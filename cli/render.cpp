@@ -21,6 +21,7 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   picture.range = colour_range(call.picture.range);
   picture.view = viz::view_named(call.camera);
   picture.title = picture_title(run, call.picture.title);
+  picture.occlusion = call.occlusion;
   picture.cut = viz::cut_from_text(call.cut);
   picture.parts = call.parts;
   return picture;
@@ -69,6 +70,9 @@ void add_render(Program& program) {
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
   add_picture_options(verb, call->picture);
   verb.add("--cut", call->cut, "Leave out particles with centres where all of these hold: x>0.3 or \"x>300 mm,y<0.2\"");
+  verb.add("--occlusion", call->occlusion, "How dark hollows between particles are drawn, 0 to 1")
+      .between(0.0, 1.0)
+      .shows_default();
   verb.add("--workers", call->workers, "Processes that share frames or tiles [one a core]").between(1, most_workers);
   verb.add("--tiles", call->tiles, "COLUMNSxROWS of a picture, to share out [by its size]");
   verb.add("--parts", call->parts, "Draw the particles in so many parts, merged by depth")

@@ -18,6 +18,7 @@ struct RenderCall {
   std::string at = "last";
   std::string frames;
   std::string cut;
+  double occlusion = 0;
   std::string tiles;
   int parts = 1;
   int workers = 0;  ///< 0: one a core

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "viz/ambient_occlusion.hpp"
 #include "viz/annotation.hpp"
 #include "viz/composition.hpp"
 #include "viz/label_layer.hpp"
@@ -51,6 +53,11 @@ struct Frame {
                          std::span(colouring.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first));
     }
   }
+  /// Mean radius of the particles in the middle of the picture [samples].
+  double reach() const {
+    const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
+    return sum / static_cast<double>(std::max<std::size_t>(1, radii.size())) * camera.pixels_per_unit();
+  }
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 };
@@ -75,6 +82,7 @@ void check_picture(const PictureOptions& options) {
     throw InputError(fmt::format("a picture of {} x {} px is too large; a side takes 1 to {} px", options.width,
                                  options.height, largest_side));
   }
+  if (!(options.occlusion >= 0 && options.occlusion <= 1)) throw InputError("the occlusion is from 0 to 1");
   if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
 }
 
@@ -87,7 +95,12 @@ struct ParticlePainter::Stage {
   /// A part that lies within one square of the walls.
   Image paint(const PixelWindow& part, const PictureOptions& options) {
     const PixelWindow samples = part.finer(options.supersampling);
-    draw_spheres(*spheres, *frame, samples, options.cull);
+    if (options.occlusion > 0) {
+      draw_spheres(*spheres, *frame, samples.wider(occlusion_margin(frame->reach())), options.cull);
+      spheres->occlude(options.occlusion, frame->reach(), samples);
+    } else {
+      draw_spheres(*spheres, *frame, samples, options.cull);
+    }
     if (options.container) walls.prepare(samples);
     const Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
     const Layer words = labels.part(part);

@@ -25,11 +25,12 @@ struct PictureOptions {
   bool legend = true;
   bool time = true;
   bool container = true;
-  bool scale = true;  ///< lengths of the box's edges (iso), or a scale bar
-  bool axes = true;   ///< directions of x, y, z
-  CutAway cut;        ///< particles with centres in it are left out
-  bool cull = true;   ///< leaves out hidden particles first: the same picture, faster
-  int parts = 1;      ///< the particles are drawn in so many parts, merged by depth: the same picture
+  bool scale = true;     ///< lengths of the box's edges (iso), or a scale bar
+  bool axes = true;      ///< directions of x, y, z
+  double occlusion = 0;  ///< 0 to 1: how dark hollows between particles are
+  CutAway cut;           ///< particles with centres in it are left out
+  bool cull = true;      ///< leaves out hidden particles first: the same picture, faster
+  int parts = 1;         ///< the particles are drawn in so many parts, merged by depth: the same picture
 };
 
 /// Throws InputError where a number of the options is out of range.

@@ -21,6 +21,8 @@ struct PixelWindow {
     const int l = std::max(left, other.left), t = std::max(top, other.top);
     return {l, t, std::min(right(), other.right()) - l, std::min(bottom(), other.bottom()) - t};
   }
+  /// With a margin all around, which may reach out of the picture.
+  PixelWindow wider(int margin) const { return {left - margin, top - margin, width + 2 * margin, height + 2 * margin}; }
   /// The same part of the picture in pixels a factor smaller.
   PixelWindow finer(int factor) const { return {left * factor, top * factor, width * factor, height * factor}; }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "viz/ambient_occlusion.hpp"
+
 namespace packstone::viz {
 
 namespace {
@@ -30,6 +32,18 @@ inline std::uint32_t lit(float diffuse_r, float diffuse_g, float diffuse_b, floa
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(lesser(diffuse * light + gloss, full)));
   };
   return tone(diffuse_r) | tone(diffuse_g) << 8 | tone(diffuse_b) << 16 | static_cast<std::uint32_t>(opaque) << 24;
+}
+
+/// Multiplies the colours of a row.
+void darken(std::uint32_t* colours, const float* light, int width) {
+  for (int k = 0; k < width; ++k) {
+    const std::uint32_t colour = colours[k];
+    const auto tone = [&](int place) {
+      const auto full = static_cast<std::int32_t>(colour >> place & 0xff);
+      return static_cast<std::uint32_t>(static_cast<std::int32_t>(static_cast<float>(full) * light[k] + 0.5F)) << place;
+    };
+    colours[k] = tone(0) | tone(8) | tone(16) | (colour & 0xff000000);
+  }
 }
 
 }  // namespace
@@ -100,6 +114,7 @@ SphereLayer::SphereLayer(const Camera& camera)
 void SphereLayer::reset(const PixelWindow& window) {
   window_ = window;
   stride_ = static_cast<std::size_t>(window.width) + lanes;
+  offset_ = 0;
   blank_ = true;
 }
 
@@ -201,6 +216,22 @@ void SphereLayer::merge(const SphereLayer& other) {
     colour_[k] = other.colour_[k];
     number_[k] = other.number_[k];
   }
+}
+
+void SphereLayer::occlude(double strength, double reach, const PixelWindow& inner) {
+  if (!blank_) {
+    const std::size_t skipped = at(inner.top - window_.top) + static_cast<std::size_t>(inner.left - window_.left);
+    const HollowProbe probe(reach, unit_per_pixel_, parallel_, stride_);
+    const std::vector<float> nearness = nearness_of(distance_, parallel_);
+    std::vector<float> light(static_cast<std::size_t>(inner.width));
+    for (int row = 0; row < inner.height; ++row) {
+      const std::size_t first = skipped + static_cast<std::size_t>(row) * stride_;
+      probe.light(&nearness[first], inner.width, static_cast<float>(strength), light.data());
+      darken(&colour_[first], light.data(), inner.width);
+    }
+    offset_ = skipped;
+  }
+  window_ = inner;
 }
 
 }  // namespace packstone::viz

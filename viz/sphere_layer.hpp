@@ -31,6 +31,11 @@ class SphereLayer {
   /// Takes what is nearer of another layer of the same window.
   void merge(const SphereLayer& other);
 
+  /// Darkens what stands in hollows by up to strength (0 to 1): see ambient_occlusion.hpp. reach: of the smallest
+  /// hollows, in pixels. From then on the layer is that of the inner window, which keeps occlusion_margin(reach) from
+  /// the sides of the whole.
+  void occlude(double strength, double reach, const PixelWindow& inner);
+
   const PixelWindow& window() const { return window_; }
   /// Of a row of the window (width): distance along the camera's axis from the viewer, infinite where nothing is.
   const float* distances(int row) const { return &distance_[at(row)]; }
@@ -43,7 +48,7 @@ class SphereLayer {
   class Horizon;
 
   void fill();
-  std::size_t at(int row) const { return static_cast<std::size_t>(row) * stride_; }
+  std::size_t at(int row) const { return offset_ + static_cast<std::size_t>(row) * stride_; }
   template <bool parallel>
   void draw(const SeenSphere& sphere);
 
@@ -51,7 +56,7 @@ class SphereLayer {
   bool parallel_;
   float unit_per_pixel_;  // length (parallel) or slope (perspective) that a pixel takes
   bool blank_ = true;
-  std::size_t stride_ = 0;
+  std::size_t stride_ = 0, offset_ = 0;  // the latter of the window's first pixel
   std::vector<float> distance_;
   std::vector<std::uint32_t> colour_, number_;
 };

@@ -129,6 +129,7 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.png") + " --tiles 0x3",
         "render " + run.path + run.out("x.mp4") + " --tiles 2x2",
         "render " + run.path + run.out("x.png") + " --workers 0",
+        "render " + run.path + run.out("x.png") + " --occlusion 2",
         "render " + run.path + run.out("x.png") + " --parts 0",
         "slice " + run.path + run.out("x.png") + " --plane w=1",
         "slice " + run.path + run.out("x.png") + " --plane z=9",

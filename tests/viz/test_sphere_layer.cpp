@@ -210,6 +210,7 @@ TEST_CASE("tiles of any size and parts of the particles make the same picture, w
   options.title = "Tiles";
   for (const int supersampling : {1, 2, 3}) {
     options.supersampling = supersampling;
+    options.occlusion = supersampling == 1 ? 0 : 0.8;
     options.parts = 1;
     const Image whole = draw_particles(snapshot, options);
     options.parts = 8;
