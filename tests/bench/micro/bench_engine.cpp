@@ -31,9 +31,18 @@ Bed lattice(std::int64_t count, double ratio, double friction) {
   const auto edge = static_cast<int>(std::lround(std::cbrt(static_cast<double>(count))));
   const double spacing = 2 * radius * (1 - pressed), side = edge * spacing;
   Bed bed;
-  bed.scene.materials.push_back({"steel", 7800, 1e7, 1e7, std::nullopt, 0.42, friction});
+  MaterialSpec steel;
+  steel.name = "steel";
+  steel.density = 7800;
+  steel.normal_stiffness = steel.tangential_stiffness = 1e7;
+  steel.restitution = 0.42;
+  steel.friction = friction;
+  bed.scene.materials.push_back(steel);
+  bed.scene.contact.normal = NormalModel::linear;
   if (friction > 0) bed.scene.contact.tangential = TangentialModel::cundall_strack;
-  bed.scene.particles.push_back({"steel", "steel", {}, {}});
+  GroupSpec group;
+  group.name = group.material = "steel";
+  bed.scene.particles.push_back(group);
   bed.scene.domain.min = Vec3::Zero();
   bed.scene.domain.max = Vec3::Constant(side);
   bed.scene.domain.periodic = {0, 1, 2};
@@ -81,7 +90,8 @@ template <class Precision, class Tangential>
 void step(benchmark::State& state) {
   const Bed bed = lattice(state.range(0), 1, Tangential::active ? 0.5 : 0.0);
   Particles particles = make_particles(bed.scene, bed.start);
-  NewtonianStep<Precision, Linear<Release::zero_overlap>, Tangential> dynamics(bed.scene, bed.scene.box(), {});
+  const Boundaries none(bed.scene, bed.scene.box());
+  NewtonianStep<Precision, Linear<Release::zero_overlap>, Tangential> dynamics(bed.scene, bed.scene.box(), none);
   StepInput input;
   input.dt = time_step;
   input.overlap_limit = 1;
