@@ -1,6 +1,7 @@
 // Films of a run, and its frames as pictures.
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -19,10 +20,10 @@ namespace {
 
 /// The colour scale of a film spans all of its frames.
 void fix_range(viz::PictureOptions& picture, const RunReader& run, const std::vector<std::size_t>& frames) {
-  if (picture.range) return;
+  if (picture.range || viz::colours_categories(picture.color)) return;
   for (const std::size_t index : frames) {
     const auto range = viz::value_range(run.snapshot(index, read_for(picture)), picture.color);
-    if (!range) return;  // categories
+    if (!range) continue;  // no particles yet
     picture.range = picture.range ? std::pair{std::min(picture.range->first, range->first),
                                               std::max(picture.range->second, range->second)}
                                   : *range;

@@ -1,6 +1,9 @@
 // One picture of a packing, in tiles.
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <memory>
 
 #include <fmt/format.h>
 

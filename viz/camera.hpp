@@ -39,7 +39,7 @@ class Camera {
   /// True when a viewer sees the side of the plane that the normal points to.
   bool sees(const Vec3& point, const Vec3& normal) const;
 
-  /// The point at which the viewer looks straight [px].
+  /// The pixel at which the viewer looks straight.
   Point centre() const { return centre_; }
   /// Pixels per unit length (parallel), per unit slope (perspective).
   double focal() const { return focal_; }

@@ -45,7 +45,7 @@ std::string titled(const std::string& name, const std::string& unit) {
 
 /// The numbers to colour by; nothing for categories.
 std::optional<Quantity> quantity(const Snapshot& snapshot, const std::string& name) {
-  if (name == "type" || name == "material") return std::nullopt;
+  if (colours_categories(name)) return std::nullopt;
   if (name == "radius") return Quantity{snapshot.radius, "radius [m]"};
   const auto field = snapshot.fields.find(name == "speed" ? "velocity" : name);
   if (field == snapshot.fields.end()) refuse(snapshot, name);
@@ -95,7 +95,9 @@ Colouring colour_groups(const Snapshot& snapshot) {
 
 }  // namespace
 
-bool colour_needs_fields(const std::string& name) { return name != "type" && name != "material" && name != "radius"; }
+bool colours_categories(const std::string& name) { return name == "type" || name == "material"; }
+
+bool colour_needs_fields(const std::string& name) { return !colours_categories(name) && name != "radius"; }
 
 std::vector<std::string> colour_names(const Snapshot& snapshot) {
   std::vector<std::string> names = {"type", "material", "radius"};

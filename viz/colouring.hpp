@@ -27,6 +27,9 @@ struct Colouring {
   std::optional<ValueRange> range;   ///< of the colour scale; absent for categories
 };
 
+/// Whether the name stands for categories, which have no range: "type" and "material".
+bool colours_categories(const std::string& name);
+
 /// Whether a snapshot without its fields lacks what to colour by.
 bool colour_needs_fields(const std::string& name);
 

@@ -150,9 +150,9 @@ void SphereLayer::draw(const SphereCloud& cloud, bool cull) {
 }
 
 // In the camera's axes x to the right, y down, z away from the viewer: the centre is c = distance d0 with
-// d0 = (slope_x, slope_y, 1), the ray of a pixel d = d0 + (a, b, 0). The point of the ray nearest to the centre is s d,
-//   s = distance (d . d0) / d^2,   |c - s d|^2 = distance^2 |d0 x d|^2 / d^2,   d0 x d = (-b, a, slope_x b - slope_y
-//   a),
+// d0 = (u, v, 1) = (slope_x, slope_y, 1), the ray of a pixel d = d0 + (a, b, 0). The point of the ray nearest to the
+// centre is s d,
+//   s = distance (d . d0) / d^2,   |c - s d|^2 = distance^2 |d0 x d|^2 / d^2,   d0 x d = (-b, a, u b - v a),
 // and the sphere is met g = sqrt((r^2 - |c - s d|^2) / d^2) before it. Nothing large is subtracted from its like, so
 // single precision holds for small spheres far away.
 template <bool parallel>

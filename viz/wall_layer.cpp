@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <vtkCamera.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

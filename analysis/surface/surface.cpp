@@ -1,8 +1,7 @@
 // Measure "surface": the volume under the free surface beside that of base times height.
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
+#include <limits>
 
 #include "analysis/measures.hpp"
 #include "analysis/surface/rolling_ball.hpp"

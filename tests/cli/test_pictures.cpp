@@ -91,6 +91,30 @@ TEST_CASE("tiles, parts and workers change no byte of a picture or a film") {
   CHECK((made("more.mp4", " --workers 3 --parts 2") == film));
 }
 
+TEST_CASE("the colours of a film span all frames, also where the first is empty") {
+  const TemporaryFolder folder;
+  std::ofstream dump(folder / "poured.dump");
+  const auto frame = [&](int step, const std::string& count, const std::string& atoms) {
+    dump << "ITEM: TIMESTEP\n"
+         << step << "\nITEM: NUMBER OF ATOMS\n"
+         << count << "\nITEM: BOX BOUNDS pp pp ff\n0 0.1\n0 0.1\n0 0.1\nITEM: ATOMS id type x y z radius\n"
+         << atoms;
+  };
+  frame(0, "0", "");
+  frame(1, "1", "1 1 0.05 0.05 0.05 0.01\n");
+  frame(2, "2", "1 1 0.05 0.05 0.05 0.01\n2 1 0.02 0.05 0.05 0.02\n");
+  dump.close();
+  const std::string call = "render " + (folder / "poured.dump").string() + " --size 200x150 --quiet --color radius -o ";
+  for (const std::string& end : {(folder / "own").string(), (folder / "given").string() + " --range 0.01:0.02"}) {
+    const auto result = packstone_command(call + end);
+    INFO(result.output);
+    REQUIRE(result.exit_code == 0);
+  }
+  for (const char* name : {"frame_000000.png", "frame_000001.png", "frame_000002.png"}) {
+    CHECK((read_text_file(folder.path() / "own" / name) == read_text_file(folder.path() / "given" / name)));
+  }
+}
+
 TEST_CASE("a worker that is killed in the middle of a film leaves no trace in it") {
   const Run run;
   const std::string call = "render " + run.path + " --size 800x600 --supersampling 4 --quiet";
