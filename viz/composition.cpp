@@ -9,7 +9,7 @@ namespace packstone::viz {
 namespace {
 
 /// A row of samples: of each the nearer of sphere and wall.
-void compose_row(const SphereLayer& spheres, const WallLayer* walls, int row, std::uint32_t* samples) {
+void compose_row(const PixelLayer& spheres, const WallLayer* walls, int row, std::uint32_t* samples) {
   const int width = spheres.window().width;
   if (!walls) {
     std::copy_n(spheres.colours(row), width, samples);
@@ -27,7 +27,7 @@ void compose_row(const SphereLayer& spheres, const WallLayer* walls, int row, st
 
 }  // namespace
 
-Layer compose(const SphereLayer& spheres, const WallLayer* walls, int supersampling) {
+Layer compose(const PixelLayer& spheres, const WallLayer* walls, int supersampling) {
   const PixelWindow& window = spheres.window();
   if (spheres.blank() && !walls) {
     const int width = window.width / supersampling, height = window.height / supersampling;

@@ -3,13 +3,13 @@
 
 #include "viz/image.hpp"
 #include "viz/pixel_window.hpp"
-#include "viz/sphere_layer.hpp"
+#include "viz/pixel_layer.hpp"
 #include "viz/wall_layer.hpp"
 
 namespace packstone::viz {
 
 /// Every pixel is the mean of supersampling x supersampling samples, of each the nearer of sphere and wall. walls may
 /// be null; else they are prepared for the layer's window.
-Layer compose(const SphereLayer& spheres, const WallLayer* walls, int supersampling);
+Layer compose(const PixelLayer& spheres, const WallLayer* walls, int supersampling);
 
 }  // namespace packstone::viz

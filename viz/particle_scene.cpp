@@ -13,8 +13,9 @@
 #include "viz/annotation.hpp"
 #include "viz/composition.hpp"
 #include "viz/label_layer.hpp"
+#include "viz/pixel_layer.hpp"
 #include "viz/sphere_cloud.hpp"
-#include "viz/sphere_layer.hpp"
+#include "viz/sphere_drawing.hpp"
 #include "viz/wall_layer.hpp"
 
 namespace packstone::viz {
@@ -62,13 +63,13 @@ struct Frame {
   Frame& operator=(const Frame&) = delete;
 };
 
-void draw_spheres(SphereLayer& layer, const Frame& frame, const PixelWindow& window, bool cull) {
+void draw_spheres(PixelLayer& layer, const Frame& frame, const PixelWindow& window, bool cull) {
   layer.reset(window);
-  layer.draw(frame.parts.front(), cull);
+  draw(layer, frame.parts.front(), cull);
   for (std::size_t k = 1; k < frame.parts.size(); ++k) {
-    SphereLayer other(frame.camera);
+    PixelLayer other(frame.camera);
     other.reset(window);
-    other.draw(frame.parts[k], cull);
+    draw(other, frame.parts[k], cull);
     layer.merge(other);
   }
 }
@@ -90,7 +91,7 @@ struct ParticlePainter::Stage {
   WallLayer walls;
   LabelLayer labels;
   std::optional<Frame> frame;
-  std::optional<SphereLayer> spheres;
+  std::optional<PixelLayer> spheres;
 
   /// A part that lies within one square of the walls.
   Image paint(const PixelWindow& part, const PictureOptions& options) {
@@ -150,7 +151,7 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   const PixelWindow pixel = PixelWindow{column, row, 1, 1}.finer(options_.supersampling);
   const PixelWindow sample{pixel.left + pixel.width / 2, pixel.top + pixel.height / 2, 1, 1};
   const Frame& frame = *stage_->frame;
-  SphereLayer sphere(frame.camera);
+  PixelLayer sphere(frame.camera);
   draw_spheres(sphere, frame, sample, options_.cull);
   float distance = sphere.blank() ? std::numeric_limits<float>::infinity() : *sphere.distances(0);
   if (options_.container) {

@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "viz/camera.hpp"
-#include "viz/pixel_window.hpp"
-#include "viz/style.hpp"
+#include "viz/outline.hpp"
 
 namespace packstone::viz {
-
-/// Pixels that something surely stays within, and how near it comes.
-struct Outline {
-  int left = 0, top = 0, after_right = 0, below = 0;
-  float nearest = 0;  ///< distance along the camera's axis from the viewer that no point of it goes below
-
-  bool empty() const { return left >= after_right || top >= below; }
-};
 
 /// A sphere as the camera sees it.
 struct SeenSphere {
@@ -40,18 +31,10 @@ class SphereCloud {
   SphereCloud(std::span<const Vec3> centres, std::span<const double> radii, std::span<const Colour> colours,
               const Camera& camera, std::uint32_t first_number = 0);
 
-  struct Packet {
-    std::size_t first, last;  ///< rows, without the last
-    Outline outline;
-  };
+  const Camera& camera() const { return camera_; }
   /// The nearest first.
   const std::vector<Packet>& packets() const { return packets_; }
 
-  /// A sphere that may be seen.
-  struct Candidate {
-    Outline outline;  ///< in the window
-    std::size_t row;
-  };
   /// The spheres of a packet that reach into the window, the nearest first, without those that reach nearer to the
   /// viewer than the camera allows.
   void find(const Packet& packet, const PixelWindow& window, std::vector<Candidate>& found) const;
@@ -68,8 +51,5 @@ class SphereCloud {
   std::uint32_t first_number_;
   std::vector<Packet> packets_;
 };
-
-/// The part of an outline in a window.
-Outline clipped(Outline outline, const PixelWindow& window);
 
 }  // namespace packstone::viz

@@ -1,5 +1,6 @@
-// Spheres as pixels: every pixel's ray met with every sphere that can be seen on it, without OpenGL, so that a pixel's
-// bytes depend on the spheres alone and not on the part of the picture or of the spheres that is drawn.
+// What is seen in every pixel of a window: how far it is, its colour, and the number of the body. Bodies are drawn over
+// it ray by ray, without OpenGL (sphere_drawing.hpp, frustum_drawing.hpp), so that a pixel's bytes depend on the bodies
+// alone and not on the part of the picture or of the bodies that is drawn.
 #pragma once
 
 #include <cstddef>
@@ -8,28 +9,41 @@
 
 #include "viz/camera.hpp"
 #include "viz/pixel_window.hpp"
-#include "viz/sphere_cloud.hpp"
 
 namespace packstone::viz {
 
-/// What is seen in every pixel of a window.
-class SphereLayer {
+/// From a pixel on to the right.
+struct PixelRun {
+  float* distance;
+  std::uint32_t* colour;
+  std::uint32_t* number;
+};
+
+class PixelLayer {
  public:
   static constexpr std::uint32_t nothing = 0xffffffff;
+  static constexpr int room = 16;  ///< pixels behind every row that may be drawn on, for whole vectors
 
-  explicit SphereLayer(const Camera& camera);
+  explicit PixelLayer(const Camera& camera);
 
   /// Empties it, for a window.
   void reset(const PixelWindow& window);
   /// Whether nothing was drawn; its rows may not be asked for then.
   bool blank() const { return blank_; }
 
-  /// Draws spheres over what is there; the order of draws does not matter. With cull those that others hide cost
-  /// little; the pixels are the same.
-  void draw(const SphereCloud& cloud, bool cull = true);
+  /// Before the first body is drawn.
+  void make_drawable() {
+    if (blank_) fill();
+  }
+  /// Of the picture's row and column, in the window. Where two bodies meet in a pixel the lower number is seen, so that
+  /// the order of drawing does not matter.
+  PixelRun run(int row, int column) {
+    const std::size_t first = at(row - window_.top) + static_cast<std::size_t>(column - window_.left);
+    return {&distance_[first], &colour_[first], &number_[first]};
+  }
 
   /// Takes what is nearer of another layer of the same window.
-  void merge(const SphereLayer& other);
+  void merge(const PixelLayer& other);
 
   /// Darkens what stands in hollows by up to strength (0 to 1): see ambient_occlusion.hpp. reach: of the smallest
   /// hollows, in pixels. From then on the layer is that of the inner window, which keeps occlusion_margin(reach) from
@@ -41,16 +55,12 @@ class SphereLayer {
   const float* distances(int row) const { return &distance_[at(row)]; }
   /// Lit colour, red in the lowest byte, full in the highest; 0 where nothing is.
   const std::uint32_t* colours(int row) const { return &colour_[at(row)]; }
-  /// SeenSphere::number, or nothing.
+  /// Of the bodies, or nothing.
   const std::uint32_t* numbers(int row) const { return &number_[at(row)]; }
 
  private:
-  class Horizon;
-
   void fill();
   std::size_t at(int row) const { return offset_ + static_cast<std::size_t>(row) * stride_; }
-  template <bool parallel>
-  void draw(const SeenSphere& sphere);
 
   PixelWindow window_;
   bool parallel_;

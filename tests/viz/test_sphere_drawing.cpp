@@ -7,8 +7,9 @@
 #include "core/random.hpp"
 #include "tests/viz/packings.hpp"
 #include "viz/particle_scene.hpp"
+#include "viz/pixel_layer.hpp"
 #include "viz/sphere_cloud.hpp"
-#include "viz/sphere_layer.hpp"
+#include "viz/sphere_drawing.hpp"
 
 using namespace packstone;
 using namespace packstone::viz;
@@ -39,16 +40,16 @@ Camera camera_of(View view, const PixelWindow& window) {
           Box{0, 0, static_cast<double>(window.width), static_cast<double>(window.height)}};
 }
 
-SphereLayer drawn(const Spheres& spheres, const Camera& camera, const PixelWindow& window, bool cull = true) {
-  SphereLayer layer(camera);
+PixelLayer drawn(const Spheres& spheres, const Camera& camera, const PixelWindow& window, bool cull = true) {
+  PixelLayer layer(camera);
   layer.reset(window);
-  layer.draw(SphereCloud(spheres.centres, spheres.radii, spheres.colours, camera), cull);
+  draw(layer, SphereCloud(spheres.centres, spheres.radii, spheres.colours, camera), cull);
   return layer;
 }
 
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();  // along the camera's axis from the viewer
-  std::size_t sphere = SphereLayer::nothing;
+  std::size_t sphere = PixelLayer::nothing;
 };
 
 /// The nearest point of any sphere on a pixel's ray, from two points of the ray and the quadratic equation.
@@ -67,8 +68,8 @@ Hit cast(const Spheres& spheres, const Camera& camera, int column, int row) {
   return hit;
 }
 
-bool same(const SphereLayer& a, const SphereLayer& b, int row_of_a, int column_of_a, int row, int column) {
-  if (a.blank()) return b.numbers(row)[column] == SphereLayer::nothing;
+bool same(const PixelLayer& a, const PixelLayer& b, int row_of_a, int column_of_a, int row, int column) {
+  if (a.blank()) return b.numbers(row)[column] == PixelLayer::nothing;
   return a.colours(row_of_a)[column_of_a] == b.colours(row)[column] &&
          a.distances(row_of_a)[column_of_a] == b.distances(row)[column] &&
          a.numbers(row_of_a)[column_of_a] == b.numbers(row)[column];
@@ -81,16 +82,16 @@ TEST_CASE("every pixel shows the sphere that a ray caster finds, at its distance
   const PixelWindow window{0, 0, 320, 240};
   for (const View view : {View::iso, View::top, View::right}) {
     const Camera camera = camera_of(view, window);
-    const SphereLayer layer = drawn(spheres, camera, window);
+    const PixelLayer layer = drawn(spheres, camera, window);
     int covered = 0, other_sphere = 0;
     double worst = 0;
     for (int row = 0; row < window.height; ++row) {
       for (int column = 0; column < window.width; ++column) {
         const Hit hit = cast(spheres, camera, column, row);
-        covered += hit.sphere != SphereLayer::nothing;
+        covered += hit.sphere != PixelLayer::nothing;
         if (layer.numbers(row)[column] != hit.sphere) {
           ++other_sphere;
-        } else if (hit.sphere != SphereLayer::nothing) {
+        } else if (hit.sphere != PixelLayer::nothing) {
           worst = std::max(worst, std::abs(layer.distances(row)[column] - hit.distance));
         }
       }
@@ -113,12 +114,12 @@ TEST_CASE("small spheres far away keep their shape") {
   const Camera camera = camera_of(View::iso, whole);
   const Point middle = camera.project(spheres.centres[5]);
   const PixelWindow window{static_cast<int>(middle.x) - 100, static_cast<int>(middle.y) - 40, 200, 80};
-  const SphereLayer layer = drawn(spheres, camera, window);
+  const PixelLayer layer = drawn(spheres, camera, window);
   int covered = 0, wrong = 0;
   for (int row = 0; row < window.height; ++row) {
     for (int column = 0; column < window.width; ++column) {
       const Hit hit = cast(spheres, camera, window.left + column, window.top + row);
-      covered += hit.sphere != SphereLayer::nothing;
+      covered += hit.sphere != PixelLayer::nothing;
       wrong += layer.numbers(row)[column] != hit.sphere;
     }
   }
@@ -131,7 +132,7 @@ TEST_CASE("the light of a pixel is that of the sphere's normal there") {
   const PixelWindow window{0, 0, 240, 180};
   for (const View view : {View::iso, View::front}) {
     const Camera camera = camera_of(view, window);
-    const SphereLayer layer = drawn(one, camera, window);
+    const PixelLayer layer = drawn(one, camera, window);
     int compared = 0;
     for (int row = 0; row < window.height; row += 7) {
       for (int column = 0; column < window.width; column += 7) {
@@ -156,11 +157,11 @@ TEST_CASE("a window, a part of the spheres and hidden spheres left out change no
   const PixelWindow whole{0, 0, 301, 207};
   for (const View view : {View::iso, View::bottom}) {
     const Camera camera = camera_of(view, whole);
-    const SphereLayer plain = drawn(spheres, camera, whole, false);
+    const PixelLayer plain = drawn(spheres, camera, whole, false);
     int different = 0;
     for (const PixelWindow& window :
          {PixelWindow{0, 0, 301, 207}, {17, 31, 90, 53}, {150, 0, 151, 207}, {300, 206, 1, 1}}) {
-      const SphereLayer part = drawn(spheres, camera, window);
+      const PixelLayer part = drawn(spheres, camera, window);
       for (int row = 0; row < window.height; ++row) {
         for (int column = 0; column < window.width; ++column) {
           different += !same(part, plain, row, column, window.top + row, window.left + column);
@@ -169,15 +170,15 @@ TEST_CASE("a window, a part of the spheres and hidden spheres left out change no
     }
     CHECK(different == 0);
 
-    SphereLayer merged(camera);
+    PixelLayer merged(camera);
     merged.reset(whole);
     for (const std::size_t first : {2000, 0, 700}) {  // rows 0-700, 700-2000, 2000-3000, in another order
       const std::size_t rows = first == 0 ? 700 : first == 700 ? 1300 : 1000;
-      SphereLayer part(camera);
+      PixelLayer part(camera);
       part.reset(whole);
-      part.draw(
-          SphereCloud(std::span(spheres.centres).subspan(first, rows), std::span(spheres.radii).subspan(first, rows),
-                      std::span(spheres.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first)));
+      draw(part,
+           SphereCloud(std::span(spheres.centres).subspan(first, rows), std::span(spheres.radii).subspan(first, rows),
+                       std::span(spheres.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first)));
       merged.merge(part);
     }
     for (int row = 0; row < whole.height; ++row) {
@@ -191,11 +192,11 @@ TEST_CASE("of spheres in one place the first one is seen, whatever is drawn firs
   Spheres twins{{Vec3::Zero(), Vec3::Zero()}, {0.3, 0.3}, {{255, 0, 0}, {0, 0, 255}}};
   const PixelWindow window{0, 0, 64, 64};
   const Camera camera = camera_of(View::iso, window);
-  SphereLayer layer(camera);
+  PixelLayer layer(camera);
   layer.reset(window);
   for (const std::size_t row : {1, 0}) {
-    layer.draw(SphereCloud(std::span(twins.centres).subspan(row, 1), std::span(twins.radii).subspan(row, 1),
-                           std::span(twins.colours).subspan(row, 1), camera, static_cast<std::uint32_t>(row)));
+    draw(layer, SphereCloud(std::span(twins.centres).subspan(row, 1), std::span(twins.radii).subspan(row, 1),
+                            std::span(twins.colours).subspan(row, 1), camera, static_cast<std::uint32_t>(row)));
   }
   CHECK(layer.numbers(32)[32] == 0);
   CHECK((layer.colours(32)[32] & 0xff0000) < (layer.colours(32)[32] & 0xff) << 16);

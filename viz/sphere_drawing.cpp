@@ -1,0 +1,78 @@
+#include "viz/sphere_drawing.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+#include "viz/horizon.hpp"
+#include "viz/lighting.hpp"
+
+namespace packstone::viz {
+
+namespace {
+
+constexpr int lanes = PixelLayer::room;  // rows are drawn in so many pixels at a time
+
+// In the camera's axes x to the right, y down, z away from the viewer: the centre is c = distance d0 with
+// d0 = (u, v, 1) = (slope_x, slope_y, 1), the ray of a pixel d = d0 + (a, b, 0). The point of the ray nearest to the
+// centre is s d,
+//   s = distance (d . d0) / d^2,   |c - s d|^2 = distance^2 |d0 x d|^2 / d^2,   d0 x d = (-b, a, u b - v a),
+// and the sphere is met g = sqrt((r^2 - |c - s d|^2) / d^2) before it. Nothing large is subtracted from its like, so
+// single precision holds for small spheres far away.
+template <bool parallel>
+void draw_sphere(PixelLayer& layer, const SeenSphere& sphere, float unit) {
+  const float u = sphere.slope_x, v = sphere.slope_y, far = sphere.distance, r = sphere.radius;
+  const float along = parallel ? 1.0F : u * u + v * v + 1.0F;
+  const float squared_far = parallel ? 1.0F : far * far, squared_radius = r * r, per_radius = 1 / r;
+  const float right = sphere.right;
+  const auto diffuse = [&](int place) { return static_cast<float>(sphere.colour >> place & 0xff); };
+  const float red = diffuse(0), green = diffuse(8), blue = diffuse(16);
+  const std::uint32_t own_number = sphere.number;
+  const Outline& outline = sphere.outline;
+  const int width = outline.after_right - outline.left, offset = outline.left - sphere.column;
+  for (int row = outline.top; row < outline.below; ++row) {
+    const auto [distance, colour, number] = layer.run(row, outline.left);
+    const float b = (static_cast<float>(row - sphere.row) - sphere.down) * unit;
+    // Whole vectors: beyond the sphere nothing is met, beyond the window is room.
+    for (int done = 0; done < width; done += lanes) {
+#pragma omp simd
+      for (int k = done; k < done + lanes; ++k) {
+        const float a = (static_cast<float>(offset + k) - right) * unit;
+        const float square = a * a + b * b;
+        const float lean = parallel ? 0.0F : a * u + b * v, turn = parallel ? 0.0F : u * b - v * a;
+        const float per_length = parallel ? 1.0F : 1 / (along + 2 * lean + square);
+        const float inside = squared_radius - squared_far * (square + turn * turn) * per_length;
+        const float before = std::sqrt(greater(inside, 0.0F) * per_length);
+        const float s = parallel ? far : far * (along + lean) * per_length;
+        const float t = s - before;
+        const float seen_distance = distance[k];
+        const std::uint32_t seen_number = number[k], seen_colour = colour[k];
+        const bool first_of_equals = (t == seen_distance) & (own_number < seen_number);
+        const bool nearer = (inside > 0) & ((t < seen_distance) | first_of_equals);
+        // The point met, from the centre: -g d - (c - s d) with c - s d = shift d0 - s (a, b, 0).
+        const float shift = parallel ? 0.0F : far * (lean + square) * per_length;
+        const float nx = parallel ? a : s * a - before * (u + a) - shift * u;
+        const float ny = parallel ? b : s * b - before * (v + b) - shift * v;
+        const float nz = -before - shift;
+        const std::uint32_t shade = lit(red, green, blue, nx * per_radius, ny * per_radius, nz * per_radius);
+        distance[k] = nearer ? t : seen_distance;
+        colour[k] = nearer ? shade : seen_colour;
+        number[k] = nearer ? own_number : seen_number;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void draw(PixelLayer& layer, const SphereCloud& cloud, bool cull) {
+  const auto unit = static_cast<float>(1 / cloud.camera().focal());
+  draw_visible(layer, cloud, cull, [&](const Candidate& candidate) {
+    if (cloud.camera().parallel()) {
+      draw_sphere<true>(layer, cloud.seen(candidate), unit);
+    } else {
+      draw_sphere<false>(layer, cloud.seen(candidate), unit);
+    }
+  });
+}
+
+}  // namespace packstone::viz
