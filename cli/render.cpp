@@ -24,11 +24,14 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   picture.occlusion = call.occlusion;
   picture.cut = viz::cut_from_text(call.cut);
   picture.parts = call.parts;
+  take_overlay(call.overlay, picture);
   return picture;
 }
 
-ReadOptions read_for(const viz::PictureOptions& picture) {
-  return {.region = {}, .contacts = false, .fields = viz::colour_needs_fields(picture.color)};
+ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay) {
+  return {.region = {},
+          .contacts = overlay.needs_contacts(),
+          .fields = overlay.needs_fields() || viz::colour_needs_fields(picture.color)};
 }
 
 int worker_count(const RenderCall& call) {
@@ -69,7 +72,8 @@ void add_render(Program& program) {
   verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
   add_picture_options(verb, call->picture);
-  verb.add("--cut", call->cut, "Leave out particles with centres where all of these hold: x>0.3 or \"x>300 mm,y<0.2\"");
+  add_overlay_options(verb, call->overlay);
+  verb.add("--cut", call->cut, "Leave out what has its middle where all of these hold: x>0.3 or \"x>300 mm,y<0.2\"");
   verb.add("--occlusion", call->occlusion, "How dark hollows between particles are drawn, 0 to 1")
       .between(0.0, 1.0)
       .shows_default();

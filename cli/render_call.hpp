@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/pictures.hpp"
+#include "cli/render_overlay.hpp"
 #include "core/run_folder.hpp"
 #include "viz/particle_scene.hpp"
 
@@ -14,6 +15,7 @@ struct RenderCall {
   std::filesystem::path path;
   std::filesystem::path output;
   PictureCall picture;
+  OverlayCall overlay;
   std::string camera = "iso";
   std::string at = "last";
   std::string frames;
@@ -30,7 +32,7 @@ struct RenderCall {
 viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run);
 
 /// What of a snapshot a picture shows.
-ReadOptions read_for(const viz::PictureOptions& picture);
+ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay);
 
 /// Processes that share the work.
 int worker_count(const RenderCall& call);

@@ -18,15 +18,26 @@ namespace packstone::cli {
 
 namespace {
 
-/// The colour scale of a film spans all of its frames.
-void fix_range(viz::PictureOptions& picture, const RunReader& run, const std::vector<std::size_t>& frames) {
-  if (picture.range || viz::colours_categories(picture.color)) return;
+/// The scales of a film span all of its frames.
+void fix_scales(viz::PictureOptions& picture, const RunReader& run, const std::vector<std::size_t>& frames,
+                const OverlayMaker& overlay) {
+  const bool colours = !picture.range && !viz::colours_categories(picture.color);
+  const bool forces = picture.look.thickest_force == 0, lengths = picture.look.longest_arrow == 0;
+  if (!colours && !overlay.needs_common_scale()) return;
   for (const std::size_t index : frames) {
-    const auto range = viz::value_range(run.snapshot(index, read_for(picture)), picture.color);
-    if (!range) continue;  // no particles yet
-    picture.range = picture.range ? std::pair{std::min(picture.range->first, range->first),
-                                              std::max(picture.range->second, range->second)}
-                                  : *range;
+    const Snapshot snapshot = run.snapshot(index, read_for(picture, overlay));
+    const auto range = colours ? viz::value_range(snapshot, picture.color) : std::nullopt;
+    if (range) {
+      picture.range = picture.range ? std::pair{std::min(picture.range->first, range->first),
+                                                std::max(picture.range->second, range->second)}
+                                    : *range;
+    }
+    if (!overlay.needs_common_scale()) continue;
+    const viz::Overlay shown = overlay.of(snapshot, index);
+    if (forces)
+      picture.look.thickest_force = std::max(picture.look.thickest_force, shown.links.quantile(viz::link_quantile));
+    if (lengths)
+      picture.look.longest_arrow = std::max(picture.look.longest_arrow, shown.arrows.quantile(viz::arrow_quantile));
   }
 }
 
@@ -48,7 +59,8 @@ void render_film(const RenderCall& call, const RunReader& run) {
   const std::vector<std::size_t> frames = frame_range(run, call.frames.empty() ? ":" : call.frames);
   viz::PictureOptions picture = picture_options(call, run);
   viz::check_picture(picture);
-  fix_range(picture, run, frames);
+  const OverlayMaker overlay(call.overlay, run, frames);
+  fix_scales(picture, run, frames, overlay);
   Progress progress("frames", call.quiet);
   const auto note = [&](std::size_t done) {
     if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} frames", done, frames.size()));
@@ -59,9 +71,9 @@ void render_film(const RenderCall& call, const RunReader& run) {
     std::filesystem::create_directories(call.output, error);
     if (error) throw InputError(call.output.string() + ": cannot be made: " + error.message());
     const auto paint = [&](viz::ParticlePainter& painter, std::size_t k, std::uint8_t*) {
-      const Snapshot snapshot = run.snapshot(frames[k], read_for(picture));
+      const Snapshot snapshot = run.snapshot(frames[k], read_for(picture, overlay));
       const auto file = call.output / fmt::format("frame_{:06}.png", frames[k]);
-      viz::write_png(file, painter.paint(snapshot), provenance(run, snapshot));
+      viz::write_png(file, painter.paint(snapshot, overlay.of(snapshot, frames[k])), provenance(run, snapshot));
     };
     const auto take = [&](std::size_t k, const std::uint8_t*) { note(k + 1); };
     viz::do_units(frames_in_units(picture, frames.size(), 0, paint, take), worker_count(call));
@@ -71,7 +83,8 @@ void render_film(const RenderCall& call, const RunReader& run) {
   viz::Image image{picture.width, picture.height, {}};
   const std::size_t bytes = viz::PixelWindow{0, 0, picture.width, picture.height}.pixels() * 3;
   const auto paint = [&](viz::ParticlePainter& painter, std::size_t k, std::uint8_t* result) {
-    const viz::Image frame = painter.paint(run.snapshot(frames[k], read_for(picture)));
+    const Snapshot snapshot = run.snapshot(frames[k], read_for(picture, overlay));
+    const viz::Image frame = painter.paint(snapshot, overlay.of(snapshot, frames[k]));
     std::copy(frame.rgb.begin(), frame.rgb.end(), result);
   };
   const auto take = [&](std::size_t k, const std::uint8_t* result) {

@@ -65,6 +65,7 @@ void render_picture(const RenderCall& call, const RunReader& run) {
   viz::check_picture(picture);
   const Tiling tiling = tiling_of(call, picture);
   const std::size_t index = run.index_at(call.at);
+  const OverlayMaker overlay(call.overlay, run, {index});
   viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index));
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
   viz::Image band;
@@ -75,7 +76,8 @@ void render_picture(const RenderCall& call, const RunReader& run) {
       .prepare =
           [&] {
             const auto painter = std::make_shared<viz::ParticlePainter>(picture);
-            painter->show(run.snapshot(index, read_for(picture)));
+            const Snapshot snapshot = run.snapshot(index, read_for(picture, overlay));
+            painter->show(snapshot, overlay.of(snapshot, index));
             return [painter, &tiling](std::size_t tile, std::uint8_t* result) {
               const viz::Image image = painter->part(tiling.tile(tile));
               std::copy(image.rgb.begin(), image.rgb.end(), result);

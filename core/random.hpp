@@ -18,6 +18,7 @@ enum class RandomStream : std::uint32_t {
   reference_sample = 5,
   pore_point = 6,
   shell_direction = 7,
+  followed_particles = 8,
 };
 
 /// A sequence of draws for one item (a particle, a trial) of one stream.

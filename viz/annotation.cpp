@@ -24,6 +24,7 @@ constexpr double arrow_head = 0.4;
 constexpr double triad_room = 2.8;
 constexpr double line_weight = 0.08;
 constexpr double row_gap = 1.2;
+constexpr double legend_gap = 1.6;
 constexpr double lowest_column = 24;  ///< less would not take a colour bar and all that stands below
 
 constexpr double sphere_room = 0.035;  ///< around the box, in unit space: particles reach out of periodic sides
@@ -31,13 +32,9 @@ constexpr double sphere_room = 0.035;  ///< around the box, in unit space: parti
 // Times of any length of run have room, so that the layout does not move from frame to frame.
 const std::string widest_time = "t = 0000.000 ms";
 
-bool has_legend(const PictureOptions& options, const Colouring& colouring) {
-  return options.legend && (colouring.range || !colouring.entries.empty());
-}
-
-double column_width(const PictureOptions& options, const Colouring& colouring, double font) {
+double column_width(const PictureOptions& options, const ColourKeys& keys, double font) {
   double width = 0;
-  if (has_legend(options, colouring)) width = legend_width(colouring, font);
+  for (const ColourKey& key : keys) width = std::max(width, legend_width(key, font));
   if (options.time) width = std::max(width, text_width(widest_time, font));
   if (options.scale && options.view != View::iso) width = std::max(width, scale_bar_room * font);
   if (options.axes) width = std::max(width, (triad_room + arrow_length) * font);
@@ -159,6 +156,16 @@ double draw_lower_column(Annotation& annotation, const PictureOptions& options, 
   return y;
 }
 
+/// The legends share the room, each a part of what is left.
+void draw_legends(Drawing& drawing, Box room, const ColourKeys& keys, double font) {
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    Box area = room;
+    area.bottom = room.top + room.height() / static_cast<double>(keys.size() - k);
+    if (k + 1 < keys.size()) area.bottom -= legend_gap * font;
+    room.top = draw_legend(drawing, area, keys[k], font) + legend_gap * font;
+  }
+}
+
 }  // namespace
 
 UnitSpace::UnitSpace(const Domain& domain)
@@ -167,10 +174,10 @@ UnitSpace::UnitSpace(const Domain& domain)
       min((domain.min - centre) * scale),
       max((domain.max - centre) * scale) {}
 
-Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring) {
+Layout lay_out(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys) {
   const double font = font_size(options.width, options.height);
   const double edge = margin * font;
-  const double column = column_width(options, colouring, font);
+  const double column = column_width(options, keys, font);
   const bool edge_lengths = options.scale && options.view == View::iso;
   Box region{edge, edge, options.width - edge, options.height - edge};
   if (!options.title.empty()) region.top += title_room * font;
@@ -193,8 +200,8 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
            std::min(options.height - edge, content.bottom + missing / 2)}};
 }
 
-Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
-                    const Colouring& colouring, double time) {
+Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout, const ColourKeys& keys,
+                    double time) {
   const Drawing empty{options.width, options.height, {}};
   Annotation annotation{empty, empty, {}};
   Drawing& drawing = annotation.still;
@@ -202,11 +209,9 @@ Annotation annotate(const PictureOptions& options, const UnitSpace& space, const
                {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});
   if (options.scale && !layout.camera.parallel()) draw_edge_lengths(drawing, space, layout);
   const double legend_bottom = draw_lower_column(annotation, options, space, layout, time);
-  if (has_legend(options, colouring)) {
-    Box area = layout.column;
-    area.bottom = legend_bottom;
-    draw_legend(drawing, area, colouring, layout.font);
-  }
+  Box legends = layout.column;
+  legends.bottom = legend_bottom;
+  draw_legends(drawing, legends, keys, layout.font);
   return annotation;
 }
 

@@ -1,6 +1,8 @@
 // Where the box, the legend and the labels of a view in space go, and their drawing.
 #pragma once
 
+#include <vector>
+
 #include "viz/camera.hpp"
 #include "viz/colouring.hpp"
 #include "viz/drawing.hpp"
@@ -27,7 +29,10 @@ struct Layout {
   Box column;
 };
 
-Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colouring& colouring);
+/// What the colours of a picture mean, from the top of its column; none where the legend is not wanted.
+using ColourKeys = std::vector<ColourKey>;
+
+Layout lay_out(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys);
 
 /// All that stands beside the particles, of the size of the picture.
 struct Annotation {
@@ -35,7 +40,7 @@ struct Annotation {
   Drawing changing;         ///< the time
   PixelWindow changing_in;  ///< where that is drawn, and nothing else
 };
-Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout,
-                    const Colouring& colouring, double time);
+Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout, const ColourKeys& keys,
+                    double time);
 
 }  // namespace packstone::viz

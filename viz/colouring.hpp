@@ -19,12 +19,19 @@ struct LegendEntry {
   std::string name;
 };
 
+/// What colours mean.
+struct ColourKey {
+  std::string title;                   ///< of the legend, with the unit: "speed [m/s]"
+  std::vector<LegendEntry> entries;    ///< categories; empty for a scale
+  std::optional<ValueRange> range;     ///< of the colour scale; absent for categories
+  ColourMap map = ColourMap::viridis;  ///< of the colour scale
+
+  bool empty() const { return !range && entries.empty(); }
+};
+
 /// Colours of the particles of one snapshot.
-struct Colouring {
-  std::vector<Colour> colours;       ///< (N), row by row
-  std::string title;                 ///< of the legend, with the unit: "speed [m/s]"
-  std::vector<LegendEntry> entries;  ///< categories; empty for a scale
-  std::optional<ValueRange> range;   ///< of the colour scale; absent for categories
+struct Colouring : ColourKey {
+  std::vector<Colour> colours;  ///< (N), row by row
 };
 
 /// Whether the name stands for categories, which have no range: "type" and "material".

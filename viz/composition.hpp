@@ -2,8 +2,8 @@
 #pragma once
 
 #include "viz/image.hpp"
-#include "viz/pixel_window.hpp"
 #include "viz/pixel_layer.hpp"
+#include "viz/pixel_window.hpp"
 #include "viz/wall_layer.hpp"
 
 namespace packstone::viz {

@@ -21,20 +21,18 @@ constexpr double line_weight = 0.06;
 constexpr int bar_ticks = 5;
 constexpr int bar_shades = 128;
 
-Ticks bar_scale(const Colouring& colouring) {
-  return linear_ticks(colouring.range->first, colouring.range->second, bar_ticks);
-}
+Ticks bar_scale(const ColourKey& key) { return linear_ticks(key.range->first, key.range->second, bar_ticks); }
 
-void draw_bar(Drawing& drawing, const Box& bar, const Colouring& colouring, const Ticks& ticks, double font) {
+void draw_bar(Drawing& drawing, const Box& bar, const ColourKey& key, const Ticks& ticks, double font) {
   for (int i = 0; i < bar_shades; ++i) {
     // Each shade reaches to the bar's end under the next, so that no seam can show.
     const double top = bar.bottom - bar.height() * (i + 1) / bar_shades;
     const double bottom = bar.bottom - bar.height() * i / bar_shades;
     drawing.rectangle({bar.left, top, bar.right, i == 0 ? bottom : bottom + bar.height() / bar_shades / 2},
-                      Fill{sequential_colour((i + 0.5) / bar_shades)}, std::nullopt);
+                      Fill{sequential_colour((i + 0.5) / bar_shades, key.map)}, std::nullopt);
   }
   drawing.rectangle(bar, std::nullopt, Stroke{ink, font * line_weight, {}});
-  const auto [low, high] = *colouring.range;
+  const auto [low, high] = *key.range;
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = bar.bottom - bar.height() * (ticks.values[i] - low) / (high - low);
     drawing.line({bar.right, y}, {bar.right + tick_length * font, y}, Stroke{ink, font * line_weight, {}});
@@ -45,36 +43,36 @@ void draw_bar(Drawing& drawing, const Box& bar, const Colouring& colouring, cons
 
 }  // namespace
 
-double legend_width(const Colouring& colouring, double font) {
-  if (colouring.range) {
-    const Ticks ticks = bar_scale(colouring);
+double legend_width(const ColourKey& key, double font) {
+  if (key.range) {
+    const Ticks ticks = bar_scale(key);
     double label = 0;
     for (const std::string& text : ticks.labels) label = std::max(label, text_width(text, font));
-    const double title = text_width(with_exponent(colouring.title, ticks.exponent), font);
+    const double title = text_width(with_exponent(key.title, ticks.exponent), font);
     return std::max(title, (bar_width + tick_length + label_gap) * font + label);
   }
-  double width = colouring.title.empty() ? 0 : text_width(colouring.title, font);
-  for (const LegendEntry& entry : colouring.entries) {
+  double width = key.title.empty() ? 0 : text_width(key.title, font);
+  for (const LegendEntry& entry : key.entries) {
     width = std::max(width, swatch_room * font + text_width(entry.name, font));
   }
   return width;
 }
 
-double draw_legend(Drawing& drawing, const Box& column, const Colouring& colouring, double font) {
+double draw_legend(Drawing& drawing, const Box& column, const ColourKey& key, double font) {
   double y = column.top;
   std::optional<Ticks> ticks;
-  if (colouring.range) ticks = bar_scale(colouring);
-  if (!colouring.title.empty()) {
-    const std::string title = ticks ? with_exponent(colouring.title, ticks->exponent) : colouring.title;
+  if (key.range) ticks = bar_scale(key);
+  if (!key.title.empty()) {
+    const std::string title = ticks ? with_exponent(key.title, ticks->exponent) : key.title;
     drawing.text({column.left, y}, title, {.size = font, .along = Side::high});
     y += line_height * font;
   }
   if (ticks) {
     const double bottom = std::min(y + bar_height * font, column.bottom);
-    draw_bar(drawing, {column.left, y, column.left + bar_width * font, bottom}, colouring, *ticks, font);
+    draw_bar(drawing, {column.left, y, column.left + bar_width * font, bottom}, key, *ticks, font);
     return bottom;
   }
-  for (const LegendEntry& entry : colouring.entries) {
+  for (const LegendEntry& entry : key.entries) {
     const double middle = y + capital_height / 2 * font;
     drawing.disc({column.left + swatch_radius * font, middle}, swatch_radius * font, Fill{entry.colour}, std::nullopt);
     drawing.text({column.left + swatch_room * font, middle}, entry.name, {.size = font, .along = Side::middle});

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,10 @@
 #include "viz/ambient_occlusion.hpp"
 #include "viz/annotation.hpp"
 #include "viz/composition.hpp"
+#include "viz/frustum_cloud.hpp"
+#include "viz/frustum_drawing.hpp"
 #include "viz/label_layer.hpp"
+#include "viz/overlay_bodies.hpp"
 #include "viz/pixel_layer.hpp"
 #include "viz/sphere_cloud.hpp"
 #include "viz/sphere_drawing.hpp"
@@ -29,24 +33,37 @@ constexpr int largest_tile = 1024;   // [samples] a side: its memory stays below
 struct Frame {
   UnitSpace space;
   Colouring colouring;
+  OverlayBodies overlay;
+  ColourKeys keys;
   Layout layout;
   Camera camera;  // of the samples
   std::vector<Vec3> centres;
   std::vector<double> radii;
+  double reach;  // mean radius of the particles in the middle of the picture [samples]
   std::vector<SphereCloud> parts;
+  FrustumCloud tubes;
+  SphereCloud joints;
 
-  Frame(const Snapshot& snapshot, const PictureOptions& options)
+  Frame(const Snapshot& snapshot, const Overlay& drawn_among, const PictureOptions& options)
       : space(snapshot.domain),
         colouring(colour_particles(snapshot, options.color, options.range)),
-        layout(lay_out(options, space, colouring)),
+        overlay(drawn_among, snapshot, space, colouring, options),
+        keys(keys_of(options, colouring, drawn_among, overlay)),
+        layout(lay_out(options, space, keys)),
         camera(layout.camera.finer(options.supersampling)),
         centres(snapshot.size()),
-        radii(snapshot.size()) {
+        radii(snapshot.size()),
+        tubes(overlay.frusta, camera, number(snapshot.size())),
+        joints(overlay.centres, overlay.radii, overlay.colours, camera,
+               number(snapshot.size() + overlay.frusta.size())) {
     for (std::size_t row = 0; row < snapshot.size(); ++row) {
       centres[row] = (snapshot.position[row] - space.centre) * space.scale;
       const bool left_out = is_cut_away(options.cut, snapshot.position[row]);
       radii[row] = left_out ? 0 : snapshot.radius[row] * space.scale;  // of no radius nothing is drawn
     }
+    const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
+    reach = sum / static_cast<double>(std::max<std::size_t>(1, radii.size())) * camera.pixels_per_unit();
+    if (options.shown != Shown::all) shrink(snapshot, drawn_among, options.shown == Shown::shrunk ? shrunk_share : 0);
     const auto count = static_cast<std::size_t>(options.parts);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t first = snapshot.size() * k / count, rows = snapshot.size() * (k + 1) / count - first;
@@ -54,16 +71,32 @@ struct Frame {
                          std::span(colouring.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first));
     }
   }
-  /// Mean radius of the particles in the middle of the picture [samples].
-  double reach() const {
-    const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
-    return sum / static_cast<double>(std::max<std::size_t>(1, radii.size())) * camera.pixels_per_unit();
-  }
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
+
+ private:
+  static std::uint32_t number(std::size_t row) { return static_cast<std::uint32_t>(row); }
+
+  static ColourKeys keys_of(const PictureOptions& options, const Colouring& colouring, const Overlay& drawn_among,
+                            const OverlayBodies& overlay) {
+    if (!options.legend) return {};
+    ColourKeys keys;
+    if (!colouring.empty() && (options.shown != Shown::hidden || !drawn_among.paths.empty())) keys.push_back(colouring);
+    keys.insert(keys.end(), overlay.keys.begin(), overlay.keys.end());
+    return keys;
+  }
+
+  /// All particles but those with a path.
+  void shrink(const Snapshot& snapshot, const Overlay& drawn_among, double share) {
+    std::unordered_set<std::int64_t> full;
+    for (const Path& path : drawn_among.paths) full.insert(path.id);
+    for (std::size_t row = 0; row < radii.size(); ++row) {
+      if (full.empty() || !full.contains(snapshot.id[row])) radii[row] *= share;
+    }
+  }
 };
 
-void draw_spheres(PixelLayer& layer, const Frame& frame, const PixelWindow& window, bool cull) {
+void draw_bodies(PixelLayer& layer, const Frame& frame, const PixelWindow& window, bool cull) {
   layer.reset(window);
   draw(layer, frame.parts.front(), cull);
   for (std::size_t k = 1; k < frame.parts.size(); ++k) {
@@ -72,6 +105,8 @@ void draw_spheres(PixelLayer& layer, const Frame& frame, const PixelWindow& wind
     draw(other, frame.parts[k], cull);
     layer.merge(other);
   }
+  draw(layer, frame.tubes, cull);
+  draw(layer, frame.joints, cull);
 }
 
 }  // namespace
@@ -97,10 +132,10 @@ struct ParticlePainter::Stage {
   Image paint(const PixelWindow& part, const PictureOptions& options) {
     const PixelWindow samples = part.finer(options.supersampling);
     if (options.occlusion > 0) {
-      draw_spheres(*spheres, *frame, samples.wider(occlusion_margin(frame->reach())), options.cull);
-      spheres->occlude(options.occlusion, frame->reach(), samples);
+      draw_bodies(*spheres, *frame, samples.wider(occlusion_margin(frame->reach)), options.cull);
+      spheres->occlude(options.occlusion, frame->reach, samples);
     } else {
-      draw_spheres(*spheres, *frame, samples, options.cull);
+      draw_bodies(*spheres, *frame, samples, options.cull);
     }
     if (options.container) walls.prepare(samples);
     const Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
@@ -118,16 +153,15 @@ ParticlePainter::ParticlePainter(const PictureOptions& options) : options_(optio
 
 ParticlePainter::~ParticlePainter() = default;
 
-void ParticlePainter::show(const Snapshot& snapshot) {
-  stage_->frame.emplace(snapshot, options_);
+void ParticlePainter::show(const Snapshot& snapshot, const Overlay& overlay) {
+  stage_->frame.emplace(snapshot, overlay, options_);
   const Frame& frame = *stage_->frame;
   stage_->spheres.emplace(frame.camera);
   if (options_.container) {
     constexpr double line_weight = 0.06;  // of the font size
     stage_->walls.show(snapshot, frame.space, frame.camera, line_weight * frame.layout.font * options_.supersampling);
   }
-  stage_->labels.show(annotate(options_, frame.space, frame.layout, frame.colouring, snapshot.time),
-                      options_.supersampling);
+  stage_->labels.show(annotate(options_, frame.space, frame.layout, frame.keys, snapshot.time), options_.supersampling);
 }
 
 Image ParticlePainter::part(const PixelWindow& window) {
@@ -142,8 +176,8 @@ Image ParticlePainter::part(const PixelWindow& window) {
   return image;
 }
 
-Image ParticlePainter::paint(const Snapshot& snapshot) {
-  show(snapshot);
+Image ParticlePainter::paint(const Snapshot& snapshot, const Overlay& overlay) {
+  show(snapshot, overlay);
   return part({0, 0, options_.width, options_.height});
 }
 
@@ -152,7 +186,7 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   const PixelWindow sample{pixel.left + pixel.width / 2, pixel.top + pixel.height / 2, 1, 1};
   const Frame& frame = *stage_->frame;
   PixelLayer sphere(frame.camera);
-  draw_spheres(sphere, frame, sample, options_.cull);
+  draw_bodies(sphere, frame, sample, options_.cull);
   float distance = sphere.blank() ? std::numeric_limits<float>::infinity() : *sphere.distances(0);
   if (options_.container) {
     stage_->walls.prepare(sample);

@@ -10,9 +10,22 @@
 #include "viz/colouring.hpp"
 #include "viz/cut_away.hpp"
 #include "viz/image.hpp"
+#include "viz/overlay.hpp"
 #include "viz/pixel_window.hpp"
 
 namespace packstone::viz {
+
+/// How particles are drawn: at their size, at shrunk_share of it so that one sees between them, or not at all.
+enum class Shown { all, shrunk, hidden };
+inline constexpr double shrunk_share = 0.3;
+
+/// Sizes of what is drawn among the particles.
+struct OverlayLook {
+  double thickest_force = 0;  ///< that the thickest tube shows, and those above it [N]; 0: link_quantile of all
+  double link_width = 0.5;    ///< radius of that tube, in mean particle radii
+  double longest_arrow = 0;   ///< value of the arrow of that length [SI]; 0: the largest
+  double arrow_length = 6;    ///< in mean particle radii
+};
 
 struct PictureOptions {
   int width = 1920;                 ///< [px]
@@ -28,9 +41,11 @@ struct PictureOptions {
   bool scale = true;     ///< lengths of the box's edges (iso), or a scale bar
   bool axes = true;      ///< directions of x, y, z
   double occlusion = 0;  ///< 0 to 1: how dark hollows between particles are
-  CutAway cut;           ///< particles with centres in it are left out
-  bool cull = true;      ///< leaves out hidden particles first: the same picture, faster
-  int parts = 1;         ///< the particles are drawn in so many parts, merged by depth: the same picture
+  CutAway cut;           ///< particles with centres in it are left out, and what is drawn among them
+  Shown shown = Shown::all;
+  OverlayLook look;
+  bool cull = true;  ///< leaves out hidden particles first: the same picture, faster
+  int parts = 1;     ///< the particles are drawn in so many parts, merged by depth: the same picture
 };
 
 /// Throws InputError where a number of the options is out of range.
@@ -44,10 +59,10 @@ class ParticlePainter {
   ~ParticlePainter();
 
   /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by.
-  Image paint(const Snapshot& snapshot);
+  Image paint(const Snapshot& snapshot, const Overlay& overlay = {});
 
   /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole.
-  void show(const Snapshot& snapshot);
+  void show(const Snapshot& snapshot, const Overlay& overlay = {});
   Image part(const PixelWindow& window);
 
   /// The point [m] of a particle or wall seen at the middle of a pixel of the last picture; nothing on the ground.

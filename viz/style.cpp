@@ -20,17 +20,28 @@ constexpr Colour black = {51, 51, 51};
 constexpr std::array categories = {orange, blue, yellow, vermillion, sky, black, purple, green};
 constexpr std::array lines = {blue, vermillion, green, purple, orange, sky, black};
 
-// Ten evenly spaced colours of matplotlib's viridis (CC0); between them it is linear to within 2 of 255.
-constexpr std::array<Colour, 10> viridis = {{{68, 1, 84},
-                                             {72, 40, 120},
-                                             {62, 74, 137},
-                                             {49, 104, 142},
-                                             {38, 130, 142},
-                                             {31, 158, 137},
-                                             {53, 183, 121},
-                                             {109, 205, 89},
-                                             {180, 222, 44},
-                                             {253, 231, 37}}};
+// Ten evenly spaced colours of matplotlib's maps (CC0), linear between them.
+using Shades = std::array<Colour, 10>;
+constexpr Shades viridis = {{{68, 1, 84},
+                             {72, 40, 120},
+                             {62, 74, 137},
+                             {49, 104, 142},
+                             {38, 130, 142},
+                             {31, 158, 137},
+                             {53, 183, 121},
+                             {109, 205, 89},
+                             {180, 222, 44},
+                             {253, 231, 37}}};
+constexpr Shades plasma = {{{13, 8, 135},
+                            {70, 3, 159},
+                            {114, 1, 168},
+                            {156, 23, 158},
+                            {189, 55, 134},
+                            {216, 87, 107},
+                            {237, 121, 83},
+                            {251, 159, 58},
+                            {253, 202, 38},
+                            {240, 249, 33}}};
 
 constexpr double font_share = 0.022;  ///< of the picture's mean side: 8 pt where 1920 px are printed 17 cm wide
 constexpr double smallest_font = 9;   ///< [px] still readable
@@ -47,13 +58,14 @@ Colour line_colour(std::size_t index) { return lines[index % lines.size()]; }
 
 std::size_t line_round(std::size_t index) { return index / lines.size(); }
 
-Colour sequential_colour(double t) {
+Colour sequential_colour(double t, ColourMap map) {
   if (std::isnan(t)) return no_value;
-  const double place = std::clamp(t, 0.0, 1.0) * (viridis.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
+  const Shades& shades = map == ColourMap::viridis ? viridis : plasma;
+  const double place = std::clamp(t, 0.0, 1.0) * (shades.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(place), shades.size() - 2);
   const double share = place - static_cast<double>(low);
-  const Colour& a = viridis[low];
-  const Colour& b = viridis[low + 1];
+  const Colour& a = shades[low];
+  const Colour& b = shades[low + 1];
   return {between(a.r, b.r, share), between(a.g, b.g, share), between(a.b, b.b, share)};
 }
 

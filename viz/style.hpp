@@ -30,8 +30,12 @@ Colour line_colour(std::size_t index);
 /// Lines of the same colour differ by their round through the set: 0 for the first.
 std::size_t line_round(std::size_t index);
 
-/// Viridis, from dark blue at t = 0 to yellow at t = 1; t outside is clamped, NaN gives no_value.
-Colour sequential_colour(double t);
+/// From dark blue to yellow, both even in lightness: viridis for particles, plasma, by way of red, for what is drawn
+/// among them.
+enum class ColourMap { viridis, plasma };
+
+/// The map's colour at t, 0 dark to 1 light; t outside is clamped, NaN gives no_value.
+Colour sequential_colour(double t, ColourMap map = ColourMap::viridis);
 
 /// White around charts and slices, as a multiple of the font size.
 inline constexpr double usual_margin = 1.2;

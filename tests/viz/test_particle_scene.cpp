@@ -32,7 +32,7 @@ struct Sight {
 
   Sight(const Snapshot& snapshot, const PictureOptions& options)
       : space(snapshot.domain),
-        camera(lay_out(options, space, colour_particles(snapshot, options.color, options.range)).camera) {}
+        camera(lay_out(options, space, {}).camera) {}
 
   Point pixel(const Vec3& p) const { return camera.project((p - space.centre) * space.scale); }
   double pixels_per_metre() const { return camera.pixels_per_unit() * space.scale; }

@@ -89,7 +89,7 @@ void compare(const Snapshot& snapshot, viz::PictureOptions options, int frames) 
   const auto file = folder / "frame.png";
   options.legend = options.time = options.scale = options.axes = options.container = false;
   const viz::UnitSpace space(snapshot.domain);
-  const viz::Camera camera = viz::lay_out(options, space, viz::colour_particles(snapshot, "type", {})).camera;
+  const viz::Camera camera = viz::lay_out(options, space, {}).camera;
 
   fmt::print("{} spheres, {} x {} px, PNG written, one process\n\n| way | s a frame | frames a second | ratio |\n",
              snapshot.size(), options.width, options.height);
