@@ -1,5 +1,6 @@
 #include "cli/command_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -9,7 +10,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/view_file.hpp"
 #include "core/error.hpp"
+#include "core/flat_toml.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 
 namespace packstone::cli {
@@ -36,15 +40,77 @@ int report(ExitCode code, const std::string& message) {
   return static_cast<int>(code);
 }
 
+const std::string view_option = "view", preset_option = "preset";
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_max() == 0; }
+
+/// Whether a word of the call begins an option.
+bool names_option(const std::string& word, const CLI::Option& option) {
+  const auto& longs = option.get_lnames();
+  const auto& shorts = option.get_snames();
+  return std::any_of(
+             longs.begin(), longs.end(),
+             [&](const std::string& name) { return word == "--" + name || word.starts_with("--" + name + "="); }) ||
+         std::any_of(shorts.begin(), shorts.end(),
+                     [&](const std::string& name) { return word.starts_with("-" + name); });
+}
+
+/// The value that the call gives an option; empty where it does not.
+std::string value_in(const std::vector<std::string>& words, const std::string& name) {
+  const std::string option = "--" + name;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k].starts_with(option + "=")) return words[k].substr(option.size() + 1);
+    if (words[k] == option && k + 1 < words.size()) return words[k + 1];
+  }
+  return "";
+}
+
+/// What the views of a call set; nothing where its verb takes none.
+std::vector<ViewSetting> settings_of(const CLI::App& app, const std::vector<std::string>& words) {
+  const auto named = [&](const CLI::App* candidate) {
+    return !words.empty() && candidate->get_name() == words.front();
+  };
+  const std::vector<const CLI::App*> verbs = app.get_subcommands(named);
+  const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
+  if (!verb || !verb->get_option_no_throw("--" + view_option)) return {};
+  const std::string file = value_in(words, view_option), preset = value_in(words, preset_option);
+  if (file.empty() && preset.empty()) return {};
+  std::vector<ViewOption> options;
+  for (const CLI::Option* option : verb->get_options()) {
+    if (option->get_lnames().empty()) continue;
+    const bool given = std::any_of(words.begin() + 1, words.end(),
+                                   [&](const std::string& word) { return names_option(word, *option); });
+    options.push_back({option->get_lnames().front(), is_flag(*option), option->get_configurable(), given});
+  }
+  return view_settings(options, file, preset);
+}
+
+/// The line of a view that a message is about; empty where it is about none.
+std::string place_of(const std::string& message, const std::vector<ViewSetting>& settings) {
+  for (const ViewSetting& setting : settings) {
+    const bool named = message.find("--" + setting.name) != std::string::npos;
+    const bool quoted = !setting.value.empty() && message.find("'" + setting.value + "'") != std::string::npos;
+    if (named || quoted) return setting.place + ": ";
+  }
+  return "";
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv) {
+  std::vector<ViewSetting> settings;
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    settings = settings_of(app, words);
+    for (const ViewSetting& setting : settings) {
+      words.push_back("--" + setting.name + (setting.flag ? "" : "=" + setting.value));
+    }
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(words);
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return report(ExitCode::bad_input, std::string(error.what()) + "; see packstone --help");
+    return report(ExitCode::bad_input, place_of(error.what(), settings) + error.what() + "; see packstone --help");
   } catch (const InputError& error) {
-    return report(ExitCode::bad_input, error.what());
+    return report(ExitCode::bad_input, place_of(error.what(), settings) + error.what());
   } catch (const Interrupted& error) {
     return report(ExitCode::interrupted, error.what());
   } catch (const std::bad_alloc&) {
@@ -117,6 +183,11 @@ Option& Option::between(double lowest, double highest) {
   return *this;
 }
 
+Option& Option::of_call() {
+  option_.configurable(false);
+  return *this;
+}
+
 template <class Value>
 Option Verb::add(const std::string& names, Value& value, const std::string& description) {
   return Option(*app_.add_option(names, value, description));
@@ -146,6 +217,23 @@ Option Verb::add_words(const std::string& names, std::function<void(const std::s
   };
   return Option(
       *app_.add_option_function<std::vector<std::string>>(names, read_all, description)->allow_extra_args(false));
+}
+
+void Verb::add_view_options() {
+  const auto read_before = [](const std::string&) {};  // parse_and_run has them
+  add_word("--" + view_option, read_before, "TOML file of options, named as here, that the call does not give")
+      .of_call();
+  add_word("--" + preset_option, read_before, "Options for " + joined(preset_names())).of_call();
+}
+
+std::string Verb::recipe() const {
+  std::string recipe;
+  for (const CLI::Option* option : app_.get_options()) {
+    if (option->get_lnames().empty() || !option->get_configurable() || option->count() == 0) continue;
+    const std::string value = is_flag(*option) ? "true" : toml_quoted(joined(option->results(), ","));
+    recipe += fmt::format("{} = {}\n", option->get_lnames().front(), value);
+  }
+  return recipe;
 }
 
 void Verb::set_footer(const std::string& text) { app_.footer(text); }

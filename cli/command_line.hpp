@@ -30,6 +30,7 @@ class Option {
   Option& not_negative();                                 ///< 0 or above
   Option& between(int lowest, int highest);               ///< both allowed
   Option& between(double lowest, double highest);         ///< both allowed
+  Option& of_call();                                      ///< says nothing about how a picture looks
 
  private:
   CLI::Option& option_;
@@ -51,6 +52,11 @@ class Verb {
   /// The same for an option that may be repeated.
   Option add_words(const std::string& names, std::function<void(const std::string&)> read,
                    const std::string& description);
+  /// The options --view FILE and --preset NAME (view_file.hpp), which set the others that are not given.
+  void add_view_options();
+  /// The options that say how a picture looks and differ from their defaults, by the call or a view: a view file of
+  /// them.
+  std::string recipe() const;
   /// Text below the options in the help.
   void set_footer(const std::string& text);
   /// What the verb does once the call is read.

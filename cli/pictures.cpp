@@ -13,7 +13,14 @@
 
 namespace packstone::cli {
 
+namespace {
+
+void add_ground(Verb& verb, std::string& ground) { verb.add("--ground", ground, "white or dark").shows_default(); }
+
+}  // namespace
+
 void add_picture_options(Verb& verb, PictureCall& call) {
+  add_ground(verb, call.ground);
   verb.add("--size", call.size, "Width and height in pixels").shows_default();
   add_look_options(verb, call);
 }
@@ -28,6 +35,7 @@ void add_look_options(Verb& verb, PictureCall& call) {
 }
 
 void add_figure_options(Verb& verb, FigureCall& call) {
+  add_ground(verb, call.ground);
   constexpr double narrowest = 10, widest = 1000;  // [mm]
   constexpr double smallest_font = 3, largest_font = 72;
   constexpr double coarsest = 50, finest = 2400;
@@ -46,6 +54,12 @@ void add_figure_options(Verb& verb, FigureCall& call) {
       .needs(width);
 }
 
+viz::Ground ground_named(const std::string& name) {
+  if (name == "white") return viz::Ground::white;
+  if (name == "dark") return viz::Ground::dark;
+  throw InputError(fmt::format("--ground {}: expected white or dark", name));
+}
+
 std::optional<viz::PrintSize> print_size(const FigureCall& call) {
   if (call.width_mm == 0) return std::nullopt;
   return viz::PrintSize{call.width_mm, call.height_mm, call.font_pt, call.dpi};
@@ -54,6 +68,7 @@ std::optional<viz::PrintSize> print_size(const FigureCall& call) {
 void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
                  const std::string& title, const viz::PngText& text) {
   if (const auto print = print_size(call)) viz::prepare_for_print(drawing, *print);
+  drawing = viz::themed(std::move(drawing), ground_named(call.ground));
   viz::save_drawing(path, drawing, supersampling, title, text);
 }
 
@@ -74,13 +89,14 @@ std::optional<std::pair<double, double>> colour_range(const std::string& text) {
                    parse_quantity(text.substr(colon + 1), unit::none)};
 }
 
-viz::PngText provenance(const RunReader& run, const Snapshot& snapshot) {
+viz::PngText provenance(const RunReader& run, const Snapshot& snapshot, const std::string& recipe) {
   return {{"Software", fmt::format("packstone {} (git {})", version(), git_revision())},
           {"Source", fmt::format("{} t={:g} s", run.path().filename().string(), snapshot.time)},
-          {"Description", "scene hash " + snapshot.scene_hash}};
+          {"Description", "scene hash " + snapshot.scene_hash},
+          {"Recipe", recipe}};
 }
 
-viz::PngText provenance(const RunReader& run, std::size_t index) {
+viz::PngText provenance(const RunReader& run, std::size_t index, const std::string& recipe) {
   // Of other programs' files only the time is told.
   Snapshot header;
   header.time = run.times().at(index);
@@ -90,7 +106,7 @@ viz::PngText provenance(const RunReader& run, std::size_t index) {
         index,
         {.region = Region{Vec3::Constant(nowhere), Vec3::Constant(nowhere)}, .contacts = false, .fields = false});
   }
-  return provenance(run, header);
+  return provenance(run, header, recipe);
 }
 
 std::string picture_title(const RunReader& run, const std::string& given) {

@@ -21,6 +21,7 @@ struct PictureCall {
   std::string color = "type";
   std::string range;
   std::string title;
+  std::string ground = "white";
   int supersampling = 2;
 };
 
@@ -34,6 +35,7 @@ std::pair<int, int> picture_size(const std::string& text);
 /// Size of a chart or a slice: in pixels or, for paper, in millimetres.
 struct FigureCall {
   std::string size;
+  std::string ground = "white";
   double width_mm = 0;  ///< 0: the size is in pixels
   double height_mm = 0;
   double font_pt = viz::PrintSize{}.font_pt;
@@ -65,13 +67,16 @@ void take_size(const FigureCall& call, Options& options) {
 void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
                  const std::string& title, const viz::PngText& text = {});
 
+/// "white" or "dark". Throws InputError.
+viz::Ground ground_named(const std::string& name);
+
 /// "LOW:HIGH" in SI; nothing when empty. Throws InputError.
 std::optional<std::pair<double, double>> colour_range(const std::string& text);
 
-/// Where a picture comes from, for the PNG's text chunks.
-viz::PngText provenance(const RunReader& run, const Snapshot& snapshot);
+/// Where a picture comes from and how it was made, for the PNG's text chunks. recipe: a view file's text.
+viz::PngText provenance(const RunReader& run, const Snapshot& snapshot, const std::string& recipe);
 /// The same before the particles are read.
-viz::PngText provenance(const RunReader& run, std::size_t index);
+viz::PngText provenance(const RunReader& run, std::size_t index, const std::string& recipe);
 
 /// The given title, or the run's own.
 std::string picture_title(const RunReader& run, const std::string& given);

@@ -58,7 +58,8 @@ void add_plot(Program& program) {
   Verb verb = program.add_verb(plot_verb.name, plot_verb.description);
   verb.add("paths", options->paths, "Run folders").required();
   verb.add("--what", options->what, "Charts, by comma: " + joined(chart_names())).by_comma().required();
-  verb.add("-o,--output", options->output, "x.png, x.svg or x.pdf; a folder for several charts").required();
+  verb.add("-o,--output", options->output, "x.png, x.svg or x.pdf; a folder for several charts").required().of_call();
+  verb.add_view_options();
   add_figure_options(verb, options->figure);
   verb.add("--title", options->title, "Title [the chart's]; - for none");
   verb.set_action([options] { plot(*options); });

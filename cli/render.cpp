@@ -10,8 +10,27 @@
 #include "cli/render_call.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace packstone::cli {
+
+namespace {
+
+Vec3 place_from_text(const std::string& text) {
+  Vec3 place;
+  std::size_t first = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t comma = text.find(',', first);
+    if (first > text.size() || (comma == std::string::npos) != (k == 2)) {
+      throw InputError(fmt::format("--focus {}: expected X,Y,Z, such as 0.1,0.1,0.3 or \"100 mm,0,0.3\"", text));
+    }
+    place[k] = parse_quantity(text.substr(first, comma - first), unit::metre);
+    first = comma + 1;
+  }
+  return place;
+}
+
+}  // namespace
 
 viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run) {
   viz::PictureOptions picture;
@@ -19,8 +38,12 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   picture.supersampling = call.picture.supersampling;
   picture.color = call.picture.color;
   picture.range = colour_range(call.picture.range);
-  picture.view = viz::view_named(call.camera);
+  picture.view = viz::viewpoint_from_text(call.camera);
+  picture.view.zoom = call.zoom;
+  if (!call.focus.empty()) picture.view.focus = place_from_text(call.focus);
   picture.title = picture_title(run, call.picture.title);
+  picture.font_scale = call.font_scale;
+  picture.ground = ground_named(call.picture.ground);
   picture.occlusion = call.occlusion;
   picture.cut = viz::cut_from_text(call.cut);
   picture.parts = call.parts;
@@ -63,11 +86,17 @@ void render(const RenderCall& call) {
 
 void add_render(Program& program) {
   constexpr int most_workers = 1024, most_parts = 1000;
+  constexpr double smallest_zoom = 0.01, largest_zoom = 1e4;
   auto call = std::make_shared<RenderCall>();
   Verb verb = program.add_verb(render_verb.name, render_verb.description);
   verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
-  verb.add("-o,--output", call->output, "x.png, x.mp4, x.gif, or a folder for frames").required();
-  verb.add("--camera", call->camera, "iso, front, back, left, right, top or bottom").shows_default();
+  verb.add("-o,--output", call->output, "x.png, x.mp4, x.gif, or a folder for frames").required().of_call();
+  verb.add_view_options();
+  verb.add("--camera", call->camera, "iso, front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees")
+      .shows_default();
+  verb.add("--zoom", call->zoom, "Enlarge around the focus").between(smallest_zoom, largest_zoom).shows_default();
+  verb.add("--focus", call->focus,
+           "Place in the middle of the picture: X,Y,Z with units or in m [the domain's middle]");
   verb.add("--at", call->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
   verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
@@ -77,13 +106,22 @@ void add_render(Program& program) {
   verb.add("--occlusion", call->occlusion, "How dark hollows between particles are drawn, 0 to 1")
       .between(0.0, 1.0)
       .shows_default();
-  verb.add("--workers", call->workers, "Processes that share frames or tiles [one a core]").between(1, most_workers);
-  verb.add("--tiles", call->tiles, "COLUMNSxROWS of a picture, to share out [by its size]");
+  verb.add("--workers", call->workers, "Processes that share frames or tiles [one a core]")
+      .between(1, most_workers)
+      .of_call();
+  verb.add("--tiles", call->tiles, "COLUMNSxROWS of a picture, to share out [by its size]").of_call();
   verb.add("--parts", call->parts, "Draw the particles in so many parts, merged by depth")
       .between(1, most_parts)
+      .shows_default()
+      .of_call();
+  verb.add("--font-scale", call->font_scale, "Size of letters and lines, over the usual")
+      .between(0.1, 10.0)
       .shows_default();
-  verb.add_flag("--quiet", call->quiet, "No progress");
-  verb.set_action([call] { render(*call); });
+  verb.add_flag("--quiet", call->quiet, "No progress").of_call();
+  verb.set_action([call, verb] {
+    call->recipe = verb.recipe();
+    render(*call);
+  });
 }
 
 }  // namespace packstone::cli

@@ -17,6 +17,9 @@ struct RenderCall {
   PictureCall picture;
   OverlayCall overlay;
   std::string camera = "iso";
+  double zoom = 1;
+  std::string focus;
+  double font_scale = 1;
   std::string at = "last";
   std::string frames;
   std::string cut;
@@ -26,6 +29,7 @@ struct RenderCall {
   int workers = 0;  ///< 0: one a core
   int rate = 25;
   bool quiet = false;
+  std::string recipe;  ///< Verb::recipe
 };
 
 /// Throws InputError.

@@ -73,7 +73,8 @@ void render_film(const RenderCall& call, const RunReader& run) {
     const auto paint = [&](viz::ParticlePainter& painter, std::size_t k, std::uint8_t*) {
       const Snapshot snapshot = run.snapshot(frames[k], read_for(picture, overlay));
       const auto file = call.output / fmt::format("frame_{:06}.png", frames[k]);
-      viz::write_png(file, painter.paint(snapshot, overlay.of(snapshot, frames[k])), provenance(run, snapshot));
+      viz::write_png(file, painter.paint(snapshot, overlay.of(snapshot, frames[k])),
+                     provenance(run, snapshot, call.recipe));
     };
     const auto take = [&](std::size_t k, const std::uint8_t*) { note(k + 1); };
     viz::do_units(frames_in_units(picture, frames.size(), 0, paint, take), worker_count(call));

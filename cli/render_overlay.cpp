@@ -99,13 +99,13 @@ void add_overlay_options(Verb& verb, OverlayCall& call) {
   verb.add_flag("--contacts", call.contacts, "Tubes along all contacts, by force");
   verb.add_flag("--chains", call.chains, "Tubes along force chains, by force");
   verb.add("--force-scale", call.look.thickest_force, "Force of the thickest tube [N] [1 % are above it]")
-      .between(std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+      .positive();
   verb.add("--tube-width", call.look.link_width, "Radius of the thickest tube, in mean particle radii")
       .between(0.0, widest)
       .shows_default();
   verb.add("--arrows", call.arrows, "Arrows of velocity, force, acceleration, or another field of vectors");
   verb.add("--arrow-scale", call.look.longest_arrow, "Value of an arrow of full length, SI [the largest of all frames]")
-      .between(std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+      .positive();
   verb.add("--arrow-length", call.look.arrow_length, "Full length, in mean particle radii")
       .between(0.0, longest)
       .shows_default();

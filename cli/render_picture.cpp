@@ -66,7 +66,7 @@ void render_picture(const RenderCall& call, const RunReader& run) {
   const Tiling tiling = tiling_of(call, picture);
   const std::size_t index = run.index_at(call.at);
   const OverlayMaker overlay(call.overlay, run, {index});
-  viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index));
+  viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index, call.recipe));
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
   viz::Image band;
   const viz::WorkInUnits work{

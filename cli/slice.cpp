@@ -21,6 +21,7 @@ struct SliceCall {
   std::string at = "last";
   FigureCall figure;
   PictureCall picture;
+  std::string recipe;  ///< Verb::recipe
 };
 
 void slice(const SliceCall& call) {
@@ -33,7 +34,7 @@ void slice(const SliceCall& call) {
   options.range = colour_range(call.picture.range);
   options.title = picture_title(run, call.picture.title);
   save_figure(call.output, viz::slice_drawing(snapshot, viz::plane_from_text(call.plane), options), call.figure,
-              options.supersampling, options.title, provenance(run, snapshot));
+              options.supersampling, options.title, provenance(run, snapshot, call.recipe));
 }
 
 }  // namespace
@@ -44,11 +45,15 @@ void add_slice(Program& program) {
   Verb verb = program.add_verb(slice_verb.name, slice_verb.description);
   verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
   verb.add("--plane", call->plane, "AXIS=POSITION, such as z=0.1 or \"y=290 mm\"").required();
-  verb.add("-o,--output", call->output, "x.png, x.svg or x.pdf").required();
+  verb.add("-o,--output", call->output, "x.png, x.svg or x.pdf").required().of_call();
+  verb.add_view_options();
   verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
   add_figure_options(verb, call->figure);
   add_look_options(verb, call->picture);
-  verb.set_action([call] { slice(*call); });
+  verb.set_action([call, verb] {
+    call->recipe = verb.recipe();
+    slice(*call);
+  });
 }
 
 }  // namespace packstone::cli

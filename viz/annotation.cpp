@@ -36,7 +36,7 @@ double column_width(const PictureOptions& options, const ColourKeys& keys, doubl
   double width = 0;
   for (const ColourKey& key : keys) width = std::max(width, legend_width(key, font));
   if (options.time) width = std::max(width, text_width(widest_time, font));
-  if (options.scale && options.view != View::iso) width = std::max(width, scale_bar_room * font);
+  if (options.scale && !options.view.perspective()) width = std::max(width, scale_bar_room * font);
   if (options.axes) width = std::max(width, (triad_room + arrow_length) * font);
   return width;
 }
@@ -175,10 +175,10 @@ UnitSpace::UnitSpace(const Domain& domain)
       max((domain.max - centre) * scale) {}
 
 Layout lay_out(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys) {
-  const double font = font_size(options.width, options.height);
+  const double font = font_size(options.width, options.height) * options.font_scale;
   const double edge = margin * font;
   const double column = column_width(options, keys, font);
-  const bool edge_lengths = options.scale && options.view == View::iso;
+  const bool edge_lengths = options.scale && options.view.perspective() && !options.view.close();
   Box region{edge, edge, options.width - edge, options.height - edge};
   if (!options.title.empty()) region.top += title_room * font;
   if (column > 0) region.right -= column + column_gap * font;
@@ -188,8 +188,16 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
   }
   const Vec3 room = Vec3::Constant(sphere_room);
   Camera camera(options.view, space.min - room, space.max + room, region);
+  std::optional<PixelWindow> frame;
+  if (options.view.close()) {
+    std::optional<Vec3> focus = options.view.focus;
+    if (focus) focus = (*focus - space.centre) * space.scale;
+    camera.look_closer(options.view.zoom, focus);
+    const int left = static_cast<int>(std::ceil(region.left)), top = static_cast<int>(std::ceil(region.top));
+    frame = PixelWindow{left, top, static_cast<int>(region.right) - left, static_cast<int>(region.bottom) - top};
+  }
   // Box and column stand together in the middle of the picture.
-  const Box content = extent(camera, space.min - room, space.max + room);
+  const Box content = frame ? region : extent(camera, space.min - room, space.max + room);
   const double shift = (region.left + region.right - content.left - content.right) / 2;
   camera.move_right(shift);
   const double left = content.right + shift + (column > 0 ? column_gap * font : 0);
@@ -197,7 +205,8 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
   return {font,
           camera,
           {left, std::max(region.top, content.top - missing / 2), left + column,
-           std::min(options.height - edge, content.bottom + missing / 2)}};
+           std::min(options.height - edge, content.bottom + missing / 2)},
+          frame};
 }
 
 Annotation annotate(const PictureOptions& options, const UnitSpace& space, const Layout& layout, const ColourKeys& keys,
@@ -207,11 +216,19 @@ Annotation annotate(const PictureOptions& options, const UnitSpace& space, const
   Drawing& drawing = annotation.still;
   drawing.text({options.width / 2.0, margin * layout.font}, options.title,
                {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});
-  if (options.scale && !layout.camera.parallel()) draw_edge_lengths(drawing, space, layout);
+  if (options.scale && !layout.camera.parallel() && !layout.frame) draw_edge_lengths(drawing, space, layout);
+  if (layout.frame) {
+    const PixelWindow& frame = *layout.frame;
+    drawing.rectangle({static_cast<double>(frame.left), static_cast<double>(frame.top),
+                       static_cast<double>(frame.right()), static_cast<double>(frame.bottom())},
+                      std::nullopt, Stroke{faint_ink, line_weight * layout.font, {}});
+  }
   const double legend_bottom = draw_lower_column(annotation, options, space, layout, time);
   Box legends = layout.column;
   legends.bottom = legend_bottom;
   draw_legends(drawing, legends, keys, layout.font);
+  annotation.still = themed(std::move(annotation.still), options.ground);
+  annotation.changing = themed(std::move(annotation.changing), options.ground);
   return annotation;
 }
 

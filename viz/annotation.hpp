@@ -27,6 +27,7 @@ struct Layout {
   double font;
   Camera camera;
   Box column;
+  std::optional<PixelWindow> frame;  ///< outside of which no particles are drawn, where the camera looks closer
 };
 
 /// What the colours of a picture mean, from the top of its column; none where the legend is not wanted.

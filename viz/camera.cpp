@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -18,10 +19,17 @@ namespace {
 const std::vector<std::string> view_names = {"iso", "front", "back", "left", "right", "top", "bottom"};
 
 constexpr double degree = M_PI / 180;
-constexpr double iso_turn = 32 * degree;  ///< from the front to the right
-constexpr double iso_rise = 20 * degree;
+constexpr Turn iso_turn = {32 * degree, 20 * degree};
 constexpr double half_view_angle = 10 * degree;  ///< of the region's height, in perspective
 constexpr double spare_depth = 1;                ///< before and behind the box, for particles that stick out
+
+std::array<Vec3, 3> axes_of(const Turn& turn) {
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  const Vec3 level = std::sin(turn.azimuth) * x - std::cos(turn.azimuth) * y;
+  const Vec3 right = std::cos(turn.azimuth) * x + std::sin(turn.azimuth) * y;
+  return {right, std::cos(turn.elevation) * z - std::sin(turn.elevation) * level,
+          std::cos(turn.elevation) * level + std::sin(turn.elevation) * z};
+}
 
 std::array<Vec3, 3> axes_of(View view) {
   const Vec3 x = Vec3::UnitX();
@@ -43,10 +51,7 @@ std::array<Vec3, 3> axes_of(View view) {
     case View::iso:
       break;
   }
-  const Vec3 level = std::sin(iso_turn) * x - std::cos(iso_turn) * y;
-  const Vec3 right = std::cos(iso_turn) * x + std::sin(iso_turn) * y;
-  return {right, std::cos(iso_rise) * z - std::sin(iso_rise) * level,
-          std::cos(iso_rise) * level + std::sin(iso_rise) * z};
+  return axes_of(iso_turn);
 }
 
 }  // namespace
@@ -54,9 +59,26 @@ std::array<Vec3, 3> axes_of(View view) {
 View view_named(const std::string& name) {
   const auto found = std::find(view_names.begin(), view_names.end(), name);
   if (found == view_names.end()) {
-    throw InputError(fmt::format("there is no view '{}'; there are {}", name, joined(view_names)));
+    throw InputError(fmt::format("there is no view '{}'; there are {}, and AZIMUTH,ELEVATION in degrees, such as 32,20",
+                                 name, joined(view_names)));
   }
   return static_cast<View>(found - view_names.begin());
+}
+
+Viewpoint viewpoint_from_text(const std::string& text) {
+  double azimuth = 0, elevation = 0;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%n", &azimuth, &elevation, &used) != 2) return view_named(text);
+  constexpr double upright = 90;
+  if (used != static_cast<int>(text.size()) || !std::isfinite(azimuth) || !(std::abs(elevation) <= upright)) {
+    throw InputError(
+        fmt::format("'{}' is no view: expected AZIMUTH,ELEVATION in degrees, the latter from -90 to 90, "
+                    "such as 32,20",
+                    text));
+  }
+  Viewpoint viewpoint;
+  viewpoint.turn = Turn{azimuth * degree, elevation * degree};
+  return viewpoint;
 }
 
 std::array<Vec3, 8> box_corners(const Vec3& min, const Vec3& max) {
@@ -67,8 +89,10 @@ std::array<Vec3, 8> box_corners(const Vec3& min, const Vec3& max) {
   return corners;
 }
 
-Camera::Camera(View view, const Vec3& min, const Vec3& max, const Box& region)
-    : axes_(axes_of(view)), parallel_(view != View::iso), centre_(region.centre()) {
+Camera::Camera(const Viewpoint& viewpoint, const Vec3& min, const Vec3& max, const Box& region)
+    : axes_(viewpoint.turn ? axes_of(*viewpoint.turn) : axes_of(viewpoint.view)),
+      parallel_(!viewpoint.perspective()),
+      centre_(region.centre()) {
   std::array<Vec3, 8> corners = box_corners(min, max);
   for (Vec3& corner : corners) corner = Vec3(axes_[0].dot(corner), axes_[1].dot(corner), axes_[2].dot(corner));
   const auto by_depth = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
@@ -110,6 +134,12 @@ void Camera::fit_perspective(const std::array<Vec3, 8>& corners, const Box& regi
     at_.z() = std::max(at_.z(), (high - low) / (2 * slopes[k]));
     at_[k] = (high + low) / 2;
   }
+}
+
+void Camera::look_closer(double zoom, const std::optional<Vec3>& focus) {
+  focal_ *= zoom;
+  if (!focus) return;
+  for (int k = 0; k < 2; ++k) at_[k] = axes_[k].dot(*focus);
 }
 
 Vec3 Camera::eye() const { return at_.x() * axes_[0] + at_.y() * axes_[1] + at_.z() * axes_[2]; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "core/vec3.hpp"
@@ -18,14 +19,43 @@ enum class View { iso, front, back, left, right, top, bottom };
 /// Throws InputError that lists the views there are.
 View view_named(const std::string& name);
 
+/// Around the vertical from the front to the right, and up [rad].
+struct Turn {
+  double azimuth;
+  double elevation;
+
+  bool operator==(const Turn&) const = default;
+};
+
+/// From where and how closely a picture looks.
+struct Viewpoint {
+  View view = View::iso;
+  std::optional<Turn> turn;   ///< instead of the view, with its mild perspective
+  double zoom = 1;            ///< larger than where all of the domain fits
+  std::optional<Vec3> focus;  ///< stands in the middle [m]; the domain's centre
+
+  Viewpoint() = default;
+  Viewpoint(View named) : view(named) {}  // NOLINT: a view is a viewpoint
+
+  bool perspective() const { return turn.has_value() || view == View::iso; }
+  /// Whether parts of the domain may be out of view.
+  bool close() const { return zoom != 1 || focus.has_value(); }
+
+  bool operator==(const Viewpoint&) const = default;
+};
+
+/// "top", or "AZIMUTH,ELEVATION" in degrees: 90,0 is from the right, 0,90 from above. Throws InputError.
+Viewpoint viewpoint_from_text(const std::string& text);
+
 /// The corners of an axis-aligned box; corner i has the upper end along axis k where bit k of i is set.
 std::array<Vec3, 8> box_corners(const Vec3& min, const Vec3& max);
 
 /// Maps points in space to pixels: x to the right, y down.
 class Camera {
  public:
-  /// The box just fits into the region. Lengths of space are of the order of 1.
-  Camera(View view, const Vec3& min, const Vec3& max, const Box& region);
+  /// The box just fits into the region. Lengths of space are of the order of 1. The viewpoint's zoom and focus do not
+  /// count: see look_closer.
+  Camera(const Viewpoint& viewpoint, const Vec3& min, const Vec3& max, const Box& region);
 
   Point project(const Vec3& p) const;
   bool parallel() const { return parallel_; }
@@ -53,6 +83,8 @@ class Camera {
   double nearest_distance() const;
   double farthest_distance() const;
 
+  /// Enlarges the picture around the pixel looked straight at, to which a point in space is brought where one is given.
+  void look_closer(double zoom, const std::optional<Vec3>& focus);
   /// Shifts the picture sideways.
   void move_right(double pixels) { centre_.x += pixels; }
   /// The camera of the same picture in pixels a factor smaller, or of the part of it that begins at a pixel.

@@ -79,10 +79,10 @@ class Rods {
 /// Filled polygons.
 class Plates {
  public:
-  Plates() {
+  explicit Plates(Colour fill) {
     mapper_->SetInputData(data_);
     actor->SetMapper(mapper_);
-    colour(actor, plate_fill);
+    colour(actor, fill);
   }
 
   void clear() {
@@ -108,9 +108,9 @@ class Plates {
   vtkNew<vtkPolyDataMapper> mapper_;
 };
 
-/// plate_fill in the light from over the viewer's left shoulder that the spheres have, softened so that it reaches
+/// A colour in the light from over the viewer's left shoulder that the spheres have, softened so that it reaches
 /// round.
-Colour shaded(const Vec3& normal, const Camera& camera) {
+Colour shaded(Colour full_light, const Vec3& normal, const Camera& camera) {
   const Vec3 key(-0.48, 0.69, 0.55);  // to the right, up, to the viewer
   constexpr double least = 0.74;
   constexpr double most = 1.02;  // of which a floor, seen from above at an angle, has 1
@@ -118,13 +118,13 @@ Colour shaded(const Vec3& normal, const Camera& camera) {
   for (int k = 0; k < 3; ++k) along += key[k] * camera.axes()[k].dot(normal);
   const double light = least + (most - least) * (1 + along) / 2;
   const auto tone = [&](std::uint8_t full) { return static_cast<std::uint8_t>(std::lround(light * full)); };
-  return {tone(plate_fill.r), tone(plate_fill.g), tone(plate_fill.b)};
+  return {tone(full_light.r), tone(full_light.g), tone(full_light.b)};
 }
 
 /// Triangles with a colour at every corner.
 class Faces {
  public:
-  Faces() {
+  explicit Faces(Colour fill) : fill_(fill) {
     mapper_->SetInputData(data_);
     actor->SetMapper(mapper_);
     actor->GetProperty()->LightingOff();
@@ -144,7 +144,7 @@ class Faces {
       vtkIdType corners[3];
       for (std::size_t c = 0; c < 3; ++c) {
         corners[c] = data_->GetPoints()->InsertNextPoint(surface.points[surface.triangles[t][c]].data());
-        const Colour colour = shaded(surface.normals[t][c], camera);
+        const Colour colour = shaded(fill_, surface.normals[t][c], camera);
         const std::uint8_t rgb[] = {colour.r, colour.g, colour.b};
         colours_->InsertNextTypedTuple(rgb);
       }
@@ -164,6 +164,7 @@ class Faces {
   vtkNew<vtkActor> actor;
 
  private:
+  Colour fill_;  // in full light
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkUnsignedCharArray> colours_;
   vtkNew<vtkPolyDataMapper> mapper_;
@@ -209,10 +210,15 @@ std::vector<Vec3> plane_in_box(const Vec3& point, const Vec3& normal, const Vec3
 }
 
 struct Container::Parts {
-  Rods edges{faint_ink};
-  Rods wall_edges{wall_edge};
+  Rods edges, wall_edges;
   Plates plates;
   Faces faces;
+
+  explicit Parts(Ground ground)
+      : edges(themed(faint_ink, ground)),
+        wall_edges(themed(wall_edge, ground)),
+        plates(themed(plate_fill, ground)),
+        faces(themed(plate_fill, ground)) {}
 
   void add_plane(const BoundaryRecord& wall, const std::vector<Vec3>& ring, const Camera& camera) {
     for (std::size_t i = 0; i < ring.size(); ++i) wall_edges.add(ring[i], ring[(i + 1) % ring.size()]);
@@ -225,7 +231,7 @@ struct Container::Parts {
   }
 };
 
-Container::Container(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
+Container::Container(vtkRenderer* renderer, Ground ground) : parts_(std::make_unique<Parts>(ground)) {
   renderer->AddActor(parts_->edges.actor);
   renderer->AddActor(parts_->wall_edges.actor);
   renderer->AddActor(parts_->plates.actor);

@@ -17,7 +17,7 @@ std::vector<Vec3> plane_in_box(const Vec3& point, const Vec3& normal, const Vec3
 /// The container's actors in one renderer.
 class Container {
  public:
-  explicit Container(vtkRenderer* renderer);
+  Container(vtkRenderer* renderer, Ground ground);
   ~Container();
 
   /// Periodic edges are dashed. A wall is a plate where the particles lie before it, an outline where it would hide

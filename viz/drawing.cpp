@@ -36,6 +36,26 @@ void Drawing::text(Point at, const std::string& text, TextStyle style) {
 
 void Drawing::clip(std::optional<Box> box) { marks.emplace_back(ClipMark{box}); }
 
+Drawing themed(Drawing drawing, Ground ground) {
+  const auto change = [ground](Colour& colour) { colour = themed(colour, ground); };
+  const auto change_both = [&](auto& mark) {
+    if (mark.fill) change(mark.fill->colour);
+    if (mark.outline) change(mark.outline->colour);
+  };
+  for (Mark& mark : drawing.marks) {
+    if (auto* line = std::get_if<LineMark>(&mark)) change(line->stroke.colour);
+    if (auto* polygon = std::get_if<PolygonMark>(&mark)) change_both(*polygon);
+    if (auto* text = std::get_if<TextMark>(&mark)) change(text->style.colour);
+    if (auto* band = std::get_if<BandMark>(&mark)) change(band->fill.colour);
+    if (auto* disc = std::get_if<DiscMark>(&mark)) {
+      change(disc->fill.colour);
+      if (disc->outline) change(disc->outline->colour);
+    }
+  }
+  change(drawing.ground);
+  return drawing;
+}
+
 double text_width(const std::string& text, double size, bool bold) {
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);

@@ -126,6 +126,7 @@ struct Drawing {
   int height = 0;
   std::vector<Mark> marks;
   std::optional<PaperSize> paper_size = std::nullopt;  ///< where it is made for paper (print_size.hpp)
+  Colour ground = paper;
 
   void line(Point from, Point to, const Stroke& stroke) { polyline({from, to}, stroke); }
   void polyline(const std::vector<Point>& points, const Stroke& stroke);
@@ -139,6 +140,9 @@ struct Drawing {
 
   bool operator==(const Drawing&) const = default;
 };
+
+/// The same marks on another ground than white.
+Drawing themed(Drawing drawing, Ground ground);
 
 /// Width of a line of text [px].
 double text_width(const std::string& text, double size, bool bold = false);

@@ -49,7 +49,7 @@ Layer DrawingPainter::paint(const Drawing& drawing, const PixelWindow& window, i
 
 Image draw_image(const Drawing& drawing, int supersampling) {
   const Layer layer = DrawingPainter().paint(drawing, supersampling);
-  return flatten({&layer}, paper);
+  return flatten({&layer}, drawing.ground);
 }
 
 }  // namespace packstone::viz

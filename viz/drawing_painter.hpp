@@ -27,7 +27,7 @@ class DrawingPainter {
   std::vector<std::uint8_t> pixels_;  ///< of the last drawing, before averaging
 };
 
-/// One drawing on white paper.
+/// One drawing on its ground.
 Image draw_image(const Drawing& drawing, int supersampling);
 
 }  // namespace packstone::viz

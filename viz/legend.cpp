@@ -21,7 +21,12 @@ constexpr double line_weight = 0.06;
 constexpr int bar_ticks = 5;
 constexpr int bar_shades = 128;
 
-Ticks bar_scale(const ColourKey& key) { return linear_ticks(key.range->first, key.range->second, bar_ticks); }
+/// As many as have room on a bar of that height, in font sizes.
+Ticks bar_scale(const ColourKey& key, double height) {
+  constexpr double room = 2;
+  const int ticks = std::clamp(static_cast<int>(height / room), 1, bar_ticks);
+  return linear_ticks(key.range->first, key.range->second, ticks);
+}
 
 void draw_bar(Drawing& drawing, const Box& bar, const ColourKey& key, const Ticks& ticks, double font) {
   for (int i = 0; i < bar_shades; ++i) {
@@ -45,7 +50,7 @@ void draw_bar(Drawing& drawing, const Box& bar, const ColourKey& key, const Tick
 
 double legend_width(const ColourKey& key, double font) {
   if (key.range) {
-    const Ticks ticks = bar_scale(key);
+    const Ticks ticks = bar_scale(key, bar_height);
     double label = 0;
     for (const std::string& text : ticks.labels) label = std::max(label, text_width(text, font));
     const double title = text_width(with_exponent(key.title, ticks.exponent), font);
@@ -60,15 +65,16 @@ double legend_width(const ColourKey& key, double font) {
 
 double draw_legend(Drawing& drawing, const Box& column, const ColourKey& key, double font) {
   double y = column.top;
+  const double line = key.title.empty() ? 0 : line_height * font;
+  const double bottom = std::min(y + line + bar_height * font, column.bottom);
   std::optional<Ticks> ticks;
-  if (key.range) ticks = bar_scale(key);
+  if (key.range) ticks = bar_scale(key, (bottom - y - line) / font);
   if (!key.title.empty()) {
     const std::string title = ticks ? with_exponent(key.title, ticks->exponent) : key.title;
     drawing.text({column.left, y}, title, {.size = font, .along = Side::high});
-    y += line_height * font;
+    y += line;
   }
   if (ticks) {
-    const double bottom = std::min(y + bar_height * font, column.bottom);
     draw_bar(drawing, {column.left, y, column.left + bar_width * font, bottom}, key, *ticks, font);
     return bottom;
   }

@@ -15,7 +15,7 @@ constexpr double head_radius = 2.5;     // of the shaft's
 constexpr double head_length = 0.35;    // of the arrow's
 constexpr double path_radius = 0.22;    // of the mean particle, at the particle
 constexpr double path_end = 0.25;       // of that, at the oldest place
-constexpr double path_fading = 0.75;    // towards paper, at the oldest place
+constexpr double path_fading = 0.75;    // towards the ground, at the oldest place
 constexpr double shortest = 1e-9;       // in unit space: an arrow below has no direction to see
 
 double mean_radius(const Snapshot& snapshot) {
@@ -23,11 +23,11 @@ double mean_radius(const Snapshot& snapshot) {
   return sum / static_cast<double>(std::max<std::size_t>(1, snapshot.size()));
 }
 
-Colour towards_paper(Colour c, double share) {
+Colour towards(Colour ground, Colour c, double share) {
   const auto mixed = [&](std::uint8_t from, std::uint8_t to) {
     return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
   };
-  return {mixed(c.r, paper.r), mixed(c.g, paper.g), mixed(c.b, paper.b)};
+  return {mixed(c.r, ground.r), mixed(c.g, ground.g), mixed(c.b, ground.b)};
 }
 
 /// What the full size stands for.
@@ -74,7 +74,7 @@ class OverlayBodies::Builder {
     for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
       const double age = 1 - static_cast<double>(k + 1) / steps, older = 1 - static_cast<double>(k) / steps;
       const auto radius = [&](double of_age) { return path_radius * mean_ * (1 - of_age * (1 - path_end)); };
-      const Colour faded = towards_paper(colour, path_fading * age);
+      const Colour faded = towards(themed(paper, options_.ground), colour, path_fading * age);
       add_tube(path.points[k], domain_.separation(path.points[k + 1], path.points[k]), radius(older), radius(age),
                faded);
       add_ball(path.points[k], radius(older), faded);

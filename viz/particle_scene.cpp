@@ -109,6 +109,19 @@ void draw_bodies(PixelLayer& layer, const Frame& frame, const PixelWindow& windo
   draw(layer, frame.joints, cull);
 }
 
+/// What a picture that looks closer may not draw over: its margins and legend.
+void clear_outside(Layer& layer, const PixelWindow& part, const PixelWindow& frame) {
+  const PixelWindow kept = part.common(frame);
+  for (int row = part.top; row < part.bottom(); ++row) {
+    std::uint8_t* const pixels = &layer.rgba[static_cast<std::size_t>(row - part.top) * part.width * 4];
+    const bool inside = !kept.empty() && row >= kept.top && row < kept.bottom();
+    const int left = inside ? kept.left - part.left : part.width,
+              right = inside ? kept.right() - part.left : part.width;
+    std::fill(pixels, pixels + static_cast<std::ptrdiff_t>(left) * 4, 0);
+    std::fill(pixels + static_cast<std::ptrdiff_t>(right) * 4, pixels + static_cast<std::ptrdiff_t>(part.width) * 4, 0);
+  }
+}
+
 }  // namespace
 
 void check_picture(const PictureOptions& options) {
@@ -119,6 +132,8 @@ void check_picture(const PictureOptions& options) {
                                  options.height, largest_side));
   }
   if (!(options.occlusion >= 0 && options.occlusion <= 1)) throw InputError("the occlusion is from 0 to 1");
+  if (!(options.view.zoom > 0)) throw InputError("a picture is zoomed by more than 0");
+  if (!(options.font_scale > 0)) throw InputError("letters are scaled by more than 0");
   if (options.parts < 1) throw InputError("the particles are drawn in 1 part or more");
 }
 
@@ -138,12 +153,14 @@ struct ParticlePainter::Stage {
       draw_bodies(*spheres, *frame, samples, options.cull);
     }
     if (options.container) walls.prepare(samples);
-    const Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
+    Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
+    if (frame->layout.frame) clear_outside(particles, part, *frame->layout.frame);
     const Layer words = labels.part(part);
-    return flatten({&particles, &words}, paper);
+    return flatten({&particles, &words}, themed(paper, options.ground));
   }
 
-  explicit Stage(const PictureOptions& options) : walls(options.width, options.height, options.supersampling) {}
+  explicit Stage(const PictureOptions& options)
+      : walls(options.width, options.height, options.supersampling, options.ground) {}
 };
 
 ParticlePainter::ParticlePainter(const PictureOptions& options) : options_(options) {

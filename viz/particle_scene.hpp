@@ -33,8 +33,10 @@ struct PictureOptions {
   int supersampling = 2;            ///< every pixel is the mean of so many squared
   std::string color = "type";       ///< see colour_names()
   std::optional<ValueRange> range;  ///< of the colour scale, SI; for movies, as the default is each frame's own
-  View view = View::iso;
+  Viewpoint view;
   std::string title;
+  double font_scale = 1;  ///< of all letters and lines, over their usual size
+  Ground ground = Ground::white;
   bool legend = true;
   bool time = true;
   bool container = true;

@@ -37,7 +37,9 @@ std::string pdf_bytes(const Drawing& drawing, const std::string& title) {
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else two runs would differ
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
   cairo_scale(context.get(), width / drawing.width, height / drawing.height);
-  cairo_set_source_rgb(context.get(), 1, 1, 1);
+  constexpr double full = 255;
+  const Colour& ground = drawing.ground;
+  cairo_set_source_rgb(context.get(), ground.r / full, ground.g / full, ground.b / full);
   cairo_paint(context.get());
   draw_marks(context.get(), drawing);
   const cairo_status_t drawn = cairo_status(context.get());

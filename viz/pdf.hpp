@@ -7,7 +7,7 @@
 
 namespace packstone::viz {
 
-/// The bytes of a PDF file of one page on white paper. The page has the drawing's paper size; without
+/// The bytes of a PDF file of one page. The page has the drawing's paper size; without
 /// one a pixel is a point (1/72 inch).
 /// The same drawing gives the same bytes. Throws RunError when Cairo fails.
 std::string pdf_bytes(const Drawing& drawing, const std::string& title);

@@ -9,8 +9,6 @@ namespace packstone::viz {
 
 namespace {
 
-constexpr Colour grid_colour = {228, 228, 228};
-
 // All as multiples of the font size.
 constexpr double tick_length = 0.35;
 constexpr double number_gap = 0.35;
@@ -54,7 +52,7 @@ double left_room(const AxisScale& y, double height, double font) {
 double lower_room(double font) { return (tick_length + number_gap + capital_height + label_gap + 1) * font; }
 
 void draw_grid(Drawing& drawing, const PlotFrame& frame) {
-  const Stroke stroke{grid_colour, grid_weight * frame.font, {}};
+  const Stroke stroke{grid_line, grid_weight * frame.font, {}};
   for (const double value : x_ticks(frame).values) {
     const double x = frame.place(value, frame.y.low).x;
     drawing.line({x, frame.box.top}, {x, frame.box.bottom}, stroke);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace packstone::viz {
 
@@ -51,6 +52,19 @@ std::uint8_t between(std::uint8_t a, std::uint8_t b, double share) {
 }
 
 }  // namespace
+
+Colour themed(Colour colour, Ground ground) {
+  constexpr std::array<std::pair<Colour, Colour>, 6> on_dark = {{{paper, {22, 24, 29}},
+                                                                 {ink, {235, 235, 235}},
+                                                                 {faint_ink, {120, 122, 126}},
+                                                                 {grid_line, {52, 55, 61}},
+                                                                 {plate_fill, {58, 61, 68}},
+                                                                 {wall_edge, {160, 162, 166}}}};
+  if (ground == Ground::white) return colour;
+  const auto found =
+      std::find_if(on_dark.begin(), on_dark.end(), [&](const auto& pair) { return pair.first == colour; });
+  return found == on_dark.end() ? colour : found->second;
+}
 
 Colour category_colour(std::size_t index) { return categories[index % categories.size()]; }
 

@@ -16,10 +16,17 @@ struct Colour {
 
 inline constexpr Colour paper = {255, 255, 255};
 inline constexpr Colour ink = {34, 34, 34};            ///< text, axes
-inline constexpr Colour faint_ink = {150, 150, 150};   ///< periodic sides, grid
+inline constexpr Colour faint_ink = {150, 150, 150};   ///< periodic sides
+inline constexpr Colour grid_line = {228, 228, 228};   ///< of charts
 inline constexpr Colour plate_fill = {232, 232, 232};  ///< walls that lie behind the particles
 inline constexpr Colour wall_edge = {110, 110, 110};   ///< walls in outline, and cut
 inline constexpr Colour no_value = {190, 190, 190};    ///< particles whose value is not a number
+
+/// What pictures stand on: paper, or dark for slides.
+enum class Ground { white, dark };
+
+/// The colour of the same use on another ground: of paper, ink, walls and lines; any other colour stays.
+Colour themed(Colour colour, Ground ground);
 
 /// Fill colour of a category, Okabe and Ito's set (https://jfly.uni-koeln.de/color/) in an order whose neighbours also
 /// differ in grey. Begins anew after the last.

@@ -137,7 +137,7 @@ std::string svg_text(const Drawing& drawing, const std::string& title) {
       "<svg xmlns='http://www.w3.org/2000/svg' {0} viewBox='0 0 {1} {2}' font-family='{3}'>\n",
       size_text(drawing), drawing.width, drawing.height, font_names);
   if (!title.empty()) out += fmt::format("<title>{}</title>\n", escaped(title));
-  out += fmt::format("<rect width='100%' height='100%' fill='{}'/>\n", hex(paper));
+  out += fmt::format("<rect width='100%' height='100%' fill='{}'/>\n", hex(drawing.ground));
   Writer writer(out);
   for (const Mark& mark : drawing.marks) std::visit(writer, mark);
   writer.finish();

@@ -7,7 +7,7 @@
 
 namespace packstone::viz {
 
-/// The text of an SVG 1.1 file on white paper.
+/// The text of an SVG 1.1 file.
 std::string svg_text(const Drawing& drawing, const std::string& title);
 
 /// Text for HTML and XML: & < > and quotes become entities; characters XML does not know are dropped.

@@ -53,7 +53,7 @@ struct WallLayer::Stage {
   int width, height, side;  // of the picture and of a square, in samples
   OffscreenWindow window{1, 1};
   vtkNew<vtkRenderer> renderer;
-  Container container{renderer};
+  Container container;
   std::optional<Camera> camera;
 
   std::vector<BoundaryRecord> shown;  // what the patches show, with the domain
@@ -62,7 +62,8 @@ struct WallLayer::Stage {
   std::size_t current = 0;
   PixelWindow prepared;  // in the current patch
 
-  Stage(int whole_width, int whole_height, int square) : width(whole_width), height(whole_height), side(square) {
+  Stage(int whole_width, int whole_height, int square, Ground ground)
+      : width(whole_width), height(whole_height), side(square), container(renderer, ground) {
     renderer->SetBackground(0, 0, 0);
     renderer->SetBackgroundAlpha(0);
     renderer->AutomaticLightCreationOff();  // all is unlit
@@ -82,9 +83,9 @@ struct WallLayer::Stage {
   }
 };
 
-WallLayer::WallLayer(int width, int height, int supersampling)
+WallLayer::WallLayer(int width, int height, int supersampling, Ground ground)
     : stage_(std::make_unique<Stage>(width * supersampling, height * supersampling,
-                                     patch_side(supersampling) * supersampling)) {}
+                                     patch_side(supersampling) * supersampling, ground)) {}
 
 WallLayer::~WallLayer() = default;
 

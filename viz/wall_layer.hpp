@@ -18,7 +18,7 @@ namespace packstone::viz {
 class WallLayer {
  public:
   /// Of a whole picture of width x height pixels, each of supersampling x supersampling samples.
-  WallLayer(int width, int height, int supersampling);
+  WallLayer(int width, int height, int supersampling, Ground ground);
   ~WallLayer();
 
   /// What the next pictures show. The camera is that of the samples; line_width is of the container's edges, in

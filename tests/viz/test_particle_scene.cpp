@@ -31,8 +31,7 @@ struct Sight {
   Camera camera;
 
   Sight(const Snapshot& snapshot, const PictureOptions& options)
-      : space(snapshot.domain),
-        camera(lay_out(options, space, {}).camera) {}
+      : space(snapshot.domain), camera(lay_out(options, space, {}).camera) {}
 
   Point pixel(const Vec3& p) const { return camera.project((p - space.centre) * space.scale); }
   double pixels_per_metre() const { return camera.pixels_per_unit() * space.scale; }
@@ -47,6 +46,49 @@ int covered_pixels(const Image& image) {
 }
 
 }  // namespace
+
+TEST_CASE("a view by angles, closer, and with its focus in the middle") {
+  CHECK(viewpoint_from_text("top") == Viewpoint(View::top));
+  CHECK_THROWS_WITH(viewpoint_from_text("10,95"), Catch::Contains("-90 to 90"));
+  CHECK_THROWS_AS(viewpoint_from_text("10,20,30"), InputError);
+  const Box region{10, 20, 410, 320};
+  const Vec3 low = Vec3::Constant(-0.5), high = Vec3::Constant(0.5);
+  const auto camera = [&](const std::string& text) { return Camera(viewpoint_from_text(text), low, high, region); };
+  CHECK((camera("90,0").axes()[0] - camera("right").axes()[0]).norm() < 1e-12);
+  CHECK((camera("0,90").axes()[2] - camera("top").axes()[2]).norm() < 1e-12);
+  CHECK((camera("0,-90").axes()[1] - camera("bottom").axes()[1]).norm() < 1e-12);
+  CHECK(camera("32,20") == camera("iso"));
+  for (const char* name : {"iso", "front", "77,-30"}) {
+    Camera closer = camera(name);
+    const double before = closer.pixels_per_unit_at(Vec3(0.1, 0.2, 0.3));
+    closer.look_closer(2.5, Vec3(0.1, 0.2, 0.3));
+    CHECK(closer.pixels_per_unit_at(Vec3(0.1, 0.2, 0.3)) == Approx(2.5 * before));
+    const Point middle = closer.project(Vec3(0.1, 0.2, 0.3));
+    CHECK(middle.x == Approx(210));
+    CHECK(middle.y == Approx(170));
+  }
+}
+
+TEST_CASE("a closer picture draws nothing over its margins and legend") {
+  const Snapshot snapshot = testing::layered_packing(1);
+  PictureOptions options;
+  options.width = 400;
+  options.height = 300;
+  options.view = View::front;
+  options.view.zoom = 5;
+  options.ground = Ground::dark;
+  const Image image = draw_particles(snapshot, options);
+  const auto frame = lay_out(options, UnitSpace(snapshot.domain), {}).frame;
+  REQUIRE(frame);
+  const Colour ground = themed(paper, Ground::dark);
+  CHECK(image.at(0, 0) == ground);
+  int covered = 0;
+  for (int row = 0; row < 300; ++row) {
+    for (int column = 0; column < frame->left - 1; ++column) CHECK(image.at(column, row) == ground);
+    covered += image.at(frame->left + frame->width / 2, row) != ground;
+  }
+  CHECK(covered > 250);
+}
 
 TEST_CASE("a sphere covers the pixels of its projected disc") {
   const double radius = 0.4;
