@@ -163,6 +163,13 @@ std::size_t Reader::extent(const std::string& name, std::size_t columns, std::si
   return rows;
 }
 
+std::vector<Vec3> Reader::vectors(const std::string& name, std::size_t first, std::size_t rows) const {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  std::vector<Vec3> data(extent(name, 3, first, rows));
+  if (!data.empty()) read(name, data.front().data(), first, data.size(), memory_type<double>());
+  return data;
+}
+
 void Reader::read(const std::string& name, void* data, std::size_t first, std::size_t rows, hid_t type) const {
   if (rows == 0) return;
   Handle set = open(name);

@@ -10,6 +10,8 @@
 
 #include <hdf5.h>
 
+#include "core/vec3.hpp"
+
 namespace packstone::hdf5 {
 
 /// Owns one HDF5 identifier of any kind.
@@ -102,6 +104,8 @@ class Reader {
     read(name, data.data(), first, data.size() / columns, memory_type<T>());
     return data;
   }
+  /// The same of three columns.
+  std::vector<Vec3> vectors(const std::string& name, std::size_t first = 0, std::size_t rows = npos) const;
   std::string text(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;

@@ -25,12 +25,6 @@ std::span<const double> flat(const std::vector<Vec3>& rows) {
   return {rows.empty() ? nullptr : rows.front().data(), rows.size() * 3};
 }
 
-std::vector<Vec3> vectors(const std::vector<double>& values) {
-  std::vector<Vec3> rows(values.size() / 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = Vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-  return rows;
-}
-
 void write_vtk_part(hdf5::Writer& file, const Snapshot& s, const std::vector<std::size_t>& order) {
   const auto n = static_cast<std::int64_t>(s.size());
   file.group("/VTKHDF");
@@ -168,10 +162,10 @@ Contacts read_contacts(const hdf5::Reader& file) {
     c.first.push_back(pairs[k]);
     c.second.push_back(pairs[k + 1]);
   }
-  c.force = vectors(file.dataset<double>("/contacts/force", 3, 0, c.size()));
-  c.normal = vectors(file.dataset<double>("/contacts/normal", 3, 0, c.size()));
+  c.force = file.vectors("/contacts/force", 0, c.size());
+  c.normal = file.vectors("/contacts/normal", 0, c.size());
   c.overlap = file.dataset<double>("/contacts/overlap", 1, 0, c.size());
-  c.point = vectors(file.dataset<double>("/contacts/point", 3, 0, c.size()));
+  c.point = file.vectors("/contacts/point", 0, c.size());
   if (file.has("/contacts/slid")) c.sliding = file.dataset<std::uint8_t>("/contacts/slid", 1, 0, c.size());
   return c;
 }
@@ -188,7 +182,7 @@ std::vector<std::size_t> read_offsets(const hdf5::Reader& file, const std::strin
 }
 
 void read_surfaces(const hdf5::Reader& file, std::vector<BoundaryRecord>& boundaries) {
-  const auto points = vectors(file.dataset<double>("/boundaries/surface_points", 3));
+  const auto points = file.vectors("/boundaries/surface_points");
   const auto corners = file.dataset<std::int32_t>("/boundaries/surface_triangles", 3);
   const auto first_point = read_offsets(file, "/boundaries/surface_first_point", boundaries.size(), points.size());
   const auto first_triangle =
@@ -217,8 +211,8 @@ void read_boundaries(const hdf5::Reader& file, std::vector<BoundaryRecord>& boun
   const std::size_t count = names.size();
   const auto kinds = file.texts("/boundaries/kind");
   if (kinds.size() != count) file.fail("/boundaries: name and kind differ in length");
-  const auto points = vectors(file.dataset<double>("/boundaries/point", 3, 0, count));
-  const auto normals = vectors(file.dataset<double>("/boundaries/normal", 3, 0, count));
+  const auto points = file.vectors("/boundaries/point", 0, count);
+  const auto normals = file.vectors("/boundaries/normal", 0, count);
   boundaries.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     boundaries[k].name = names[k];
@@ -227,7 +221,7 @@ void read_boundaries(const hdf5::Reader& file, std::vector<BoundaryRecord>& boun
     boundaries[k].normal = normals[k];
   }
   if (!file.has("/boundaries/axis")) return;  // the first files knew planes only
-  const auto axes = vectors(file.dataset<double>("/boundaries/axis", 3, 0, count));
+  const auto axes = file.vectors("/boundaries/axis", 0, count);
   const auto cross_sections = file.dataset<double>("/boundaries/cross_section", 1, 0, count);
   const auto one_sided = file.dataset<std::uint8_t>("/boundaries/one_sided", 1, 0, count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -251,7 +245,7 @@ void read_context(const hdf5::Reader& file, Snapshot& s) {
   }
   s.program = file.text("/packstone/program");
   if (file.has("/packstone/notes")) s.notes = file.texts("/packstone/notes");
-  const auto corners = vectors(file.dataset<double>("/packstone/domain", 3, 0, 2));
+  const auto corners = file.vectors("/packstone/domain", 0, 2);
   s.domain.min = corners[0];
   s.domain.max = corners[1];
   const auto periodic = file.dataset<std::uint8_t>("/packstone/periodic", 1, 0, 3);
@@ -268,7 +262,7 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
       to.insert(to.end(), from.begin(), from.end());
     }
   };
-  append(s.position, vectors(file.dataset<double>("/VTKHDF/Points", 3, first, rows)));
+  append(s.position, file.vectors("/VTKHDF/Points", first, rows));
   append(s.radius, file.dataset<double>("/VTKHDF/PointData/radius", 1, first, rows));
   append(s.id, file.dataset<std::int64_t>("/VTKHDF/PointData/id", 1, first, rows));
   append(s.type, file.dataset<std::int32_t>("/VTKHDF/PointData/type", 1, first, rows));

@@ -8,37 +8,33 @@ namespace packstone::viz {
 
 namespace {
 
-/// A row of samples: of each the nearer of sphere and wall.
-void compose_row(const PixelLayer& spheres, const WallLayer* walls, int row, std::uint32_t* samples) {
-  const int width = spheres.window().width;
-  if (!walls) {
-    std::copy_n(spheres.colours(row), width, samples);
-    return;
-  }
+/// A row of samples: of each the nearer of body and wall. room holds it where it is neither's own.
+const std::uint32_t* compose_row(const PixelLayer& bodies, const WallLayer* walls, int row,
+                                 std::vector<std::uint32_t>& room) {
+  if (!walls) return bodies.colours(row);
   const auto [wall, wall_distance] = walls->row(row);
-  if (spheres.blank()) {
-    std::copy_n(wall, width, samples);
-    return;
-  }
-  const std::uint32_t* const sphere = spheres.colours(row);
-  const float* const distance = spheres.distances(row);
-  for (int k = 0; k < width; ++k) samples[k] = wall_distance[k] < distance[k] ? wall[k] : sphere[k];
+  if (bodies.blank()) return wall;
+  const std::uint32_t* const body = bodies.colours(row);
+  const float* const distance = bodies.distances(row);
+  for (std::size_t k = 0; k < room.size(); ++k) room[k] = wall_distance[k] < distance[k] ? wall[k] : body[k];
+  return room.data();
 }
 
 }  // namespace
 
-Layer compose(const PixelLayer& spheres, const WallLayer* walls, int supersampling) {
-  const PixelWindow& window = spheres.window();
-  if (spheres.blank() && !walls) {
-    const int width = window.width / supersampling, height = window.height / supersampling;
-    return {width, height, std::vector<std::uint8_t>(window.pixels() / (supersampling * supersampling) * 4)};
-  }
-  std::vector<std::uint32_t> samples(window.pixels());
+Layer compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling) {
+  const PixelWindow& window = bodies.window();
+  Layer layer{window.width / supersampling, window.height / supersampling, {}};
+  const std::size_t row_bytes = static_cast<std::size_t>(layer.width) * 4;
+  layer.rgba.resize(row_bytes * static_cast<std::size_t>(layer.height));
+  if (bodies.blank() && !walls) return layer;
+  std::vector<std::uint32_t> room(static_cast<std::size_t>(window.width));
+  RowAverage average(window.width, supersampling);
   for (int row = 0; row < window.height; ++row) {
-    compose_row(spheres, walls, row, &samples[static_cast<std::size_t>(row) * window.width]);
+    const std::uint32_t* const samples = compose_row(bodies, walls, row, room);
+    average.add(reinterpret_cast<const std::uint8_t*>(samples), &layer.rgba[row_bytes * (row / supersampling)]);
   }
-  return average_down(reinterpret_cast<const std::uint8_t*>(samples.data()), window.width, window.height,
-                      supersampling);
+  return layer;
 }
 
 }  // namespace packstone::viz

@@ -1,4 +1,4 @@
-// Spheres, walls and labels laid together, and brought from samples down to pixels.
+// Bodies and walls laid together, and brought from samples down to pixels.
 #pragma once
 
 #include "viz/image.hpp"
@@ -8,8 +8,8 @@
 
 namespace packstone::viz {
 
-/// Every pixel is the mean of supersampling x supersampling samples, of each the nearer of sphere and wall. walls may
+/// Every pixel is the mean of supersampling x supersampling samples, of each the nearer of body and wall. walls may
 /// be null; else they are prepared for the layer's window.
-Layer compose(const PixelLayer& spheres, const WallLayer* walls, int supersampling);
+Layer compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling);
 
 }  // namespace packstone::viz

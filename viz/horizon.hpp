@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,12 +58,16 @@ class Horizon {
   void refresh(std::size_t square, int column, int row) {
     const int right = std::min((column + 1) * side, layer_.window().width);
     const int bottom = std::min((row + 1) * side, layer_.window().height);
-    float farthest = 0;
+    std::array<float, side> farthest{};  // of the columns
     for (int y = row * side; y < bottom; ++y) {
-      const float* const distance = layer_.distances(y);
-      for (int x = column * side; x < right; ++x) farthest = std::max(farthest, distance[x]);
+      const float* const distance = layer_.distances(y) + column * side;
+      if (right == (column + 1) * side) {
+        for (int k = 0; k < side; ++k) farthest[k] = distance[k] > farthest[k] ? distance[k] : farthest[k];
+      } else {
+        for (int k = 0; k < right - column * side; ++k) farthest[k] = std::max(farthest[k], distance[k]);
+      }
     }
-    farthest_[square] = farthest;
+    farthest_[square] = *std::max_element(farthest.begin(), farthest.end());
     stale_[square] = 0;
   }
 

@@ -55,23 +55,31 @@ Colour Image::at(int column, int row) const {
   return {p[0], p[1], p[2]};
 }
 
+RowAverage::RowAverage(int width, int factor)
+    : width_(width), factor_(factor), sums_(static_cast<std::size_t>(width) * 4) {}
+
+void RowAverage::add(const std::uint8_t* rgba, std::uint8_t* target) {
+  if (factor_ == 1) {
+    std::memcpy(target, rgba, sums_.size());
+    return;
+  }
+  if (rows_ == 0) {
+    std::copy_n(rgba, sums_.size(), sums_.begin());
+  } else {
+    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += rgba[i];
+  }
+  rows_ = (rows_ + 1) % factor_;
+  const auto reduce = factor_ == 2 ? reduce_row<2> : reduce_row<any_factor>;
+  if (rows_ == 0) reduce(sums_.data(), width_ / factor_, factor_, target);
+}
+
 Layer average_down(const std::uint8_t* rgba, int width, int height, int factor) {
   Layer layer{width / factor, height / factor, {}};
-  if (factor == 1) {
-    layer.rgba.assign(rgba, rgba + static_cast<std::size_t>(width) * height * 4);
-    return layer;
-  }
-  layer.rgba.resize(static_cast<std::size_t>(layer.width) * layer.height * 4);
-  const std::size_t row_bytes = static_cast<std::size_t>(width) * 4;
-  std::vector<std::uint16_t> column_sums(row_bytes);
-  const auto reduce = factor == 2 ? reduce_row<2> : reduce_row<any_factor>;
-  for (int row = 0; row < layer.height; ++row) {
-    std::fill(column_sums.begin(), column_sums.end(), 0);
-    for (int k = 0; k < factor; ++k) {
-      const std::uint8_t* source = &rgba[static_cast<std::size_t>(row * factor + k) * row_bytes];
-      for (std::size_t i = 0; i < row_bytes; ++i) column_sums[i] += source[i];
-    }
-    reduce(column_sums.data(), layer.width, factor, &layer.rgba[static_cast<std::size_t>(row) * layer.width * 4]);
+  const std::size_t row_bytes = static_cast<std::size_t>(layer.width) * 4;
+  layer.rgba.resize(row_bytes * static_cast<std::size_t>(layer.height));
+  RowAverage average(width, factor);
+  for (int row = 0; row < layer.height * factor; ++row) {
+    average.add(rgba + static_cast<std::size_t>(row) * width * 4, &layer.rgba[row_bytes * (row / factor)]);
   }
   return layer;
 }

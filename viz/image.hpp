@@ -30,6 +30,19 @@ struct Layer {
 /// This is all the smoothing there is, so that tiles of a picture merge byte for byte.
 Layer average_down(const std::uint8_t* rgba, int width, int height, int factor);
 
+/// The same row by row.
+class RowAverage {
+ public:
+  /// width: of the rows of samples, a multiple of factor.
+  RowAverage(int width, int factor);
+  /// Takes a row of samples (width * 4); the last of factor rows writes a row of pixels (width / factor * 4) to target.
+  void add(const std::uint8_t* rgba, std::uint8_t* target);
+
+ private:
+  int width_, factor_, rows_ = 0;
+  std::vector<std::uint16_t> sums_;
+};
+
 /// Lays the layers over a plain ground, the first lowest. All have the same size.
 Image flatten(const std::vector<const Layer*>& layers, Colour ground);
 
