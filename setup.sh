@@ -14,10 +14,10 @@ usage="usage: ./setup.sh [build|demo|test [OPTION...]|bench [OPTION...]]
 build_packages=(g++ make cmake ninja-build git ca-certificates)
 library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
                   libmuparser-dev voro++-dev libvtk9-dev libosmesa6-dev libisal-dev
-                  libcairo2-dev)
-program_packages=(ffmpeg fontconfig fonts-dejavu-core)
+                  libcairo2-dev libopenmpi-dev)
+program_packages=(ffmpeg openmpi-bin fontconfig fonts-dejavu-core)
 test_packages=(catch2 python3-h5py voro++ poppler-utils)
-bench_packages=(lammps liggghts openmpi-bin libbenchmark-dev)
+bench_packages=(lammps liggghts libbenchmark-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -13,6 +13,7 @@
 #include "cli/view_file.hpp"
 #include "core/error.hpp"
 #include "core/flat_toml.hpp"
+#include "core/launched.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
 
@@ -34,7 +35,10 @@ const CLI::Validator& is_number() {
   return check;
 }
 
+/// Of several processes that mpirun started the first alone speaks and fails: what started them would otherwise end the
+/// first before it has spoken.
 int report(ExitCode code, const std::string& message) {
+  if (!speaks_for_all()) return static_cast<int>(ExitCode::done);
   const char* kind = code == ExitCode::interrupted ? "interrupted" : "error";
   fmt::print(stderr, "packstone: {}: {}\n", kind, message);
   return static_cast<int>(code);
@@ -106,7 +110,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     app.parse(words);
   } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
+    return speaks_for_all() ? app.exit(asked) : static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
     return report(ExitCode::bad_input, place_of(error.what(), settings) + error.what() + "; see packstone --help");
   } catch (const InputError& error) {

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/launched.hpp"
+
 namespace packstone::cli {
 
 namespace {
@@ -20,7 +22,8 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::string what, bool quiet) : what_(std::move(what)), quiet_(quiet), terminal_(isatty(2)) {}
+Progress::Progress(std::string what, bool quiet)
+    : what_(std::move(what)), quiet_(quiet || !speaks_for_all()), terminal_(isatty(2)) {}
 
 Progress::~Progress() {
   if (line_open_) std::fputc('\n', stderr);

@@ -63,7 +63,7 @@ int worker_count(const RenderCall& call) {
 
 namespace {
 
-void render(const RenderCall& call) {
+void render(const RenderCall& call, viz::Ranks& ranks) {
   const RunReader run(call.path);
   const std::string extension = call.output.extension().string();
   catch_interrupts();
@@ -71,11 +71,11 @@ void render(const RenderCall& call) {
     if (!call.frames.empty()) {
       throw InputError("--frames makes a film or a folder of pictures; name x.mp4, x.gif or a folder with -o");
     }
-    render_picture(call, run);
+    render_picture(call, run, ranks);
   } else if (extension == ".mp4" || extension == ".gif" || extension.empty()) {
     if (!call.tiles.empty())
       throw InputError("--tiles divides one picture; films and folders are shared out by frames");
-    render_film(call, run);
+    render_film(call, run, ranks);
   } else {
     throw InputError(fmt::format("{}: a picture is written as .png, a film as .mp4 or .gif, frames into a folder",
                                  call.output.string()));
@@ -120,7 +120,7 @@ void add_render(Program& program) {
   verb.add_flag("--quiet", call->quiet, "No progress").of_call();
   verb.set_action([call, verb] {
     call->recipe = verb.recipe();
-    render(*call);
+    viz::with_ranks([&](viz::Ranks& ranks) { render(*call, ranks); });
   });
 }
 

@@ -8,6 +8,7 @@
 #include "cli/render_overlay.hpp"
 #include "core/run_folder.hpp"
 #include "viz/particle_scene.hpp"
+#include "viz/ranks.hpp"
 
 namespace packstone::cli {
 
@@ -38,13 +39,13 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
 /// What of a snapshot a picture shows.
 ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay);
 
-/// Processes that share the work.
+/// Processes of this machine that share the work.
 int worker_count(const RenderCall& call);
 
 /// One picture, tile by tile, written in bands: its size is bounded by the disk, not by memory.
-void render_picture(const RenderCall& call, const RunReader& run);
+void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ranks);
 
 /// A film, or frames into a folder.
-void render_film(const RenderCall& call, const RunReader& run);
+void render_film(const RenderCall& call, const RunReader& run, viz::Ranks& ranks);
 
 }  // namespace packstone::cli

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,6 @@
 #include "cli/render_call.hpp"
 #include "core/error.hpp"
 #include "viz/png.hpp"
-#include "viz/workers.hpp"
 
 namespace packstone::cli {
 
@@ -60,18 +60,26 @@ Tiling tiling_of(const RenderCall& call, const viz::PictureOptions& picture) {
 
 }  // namespace
 
-void render_picture(const RenderCall& call, const RunReader& run) {
+void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ranks) {
   const viz::PictureOptions picture = picture_options(call, run);
   viz::check_picture(picture);
   const Tiling tiling = tiling_of(call, picture);
   const std::size_t index = run.index_at(call.at);
   const OverlayMaker overlay(call.overlay, run, {index});
-  viz::PngWriter file(call.output, picture.width, picture.height, provenance(run, index, call.recipe));
+  std::optional<viz::PngWriter> file;
+  if (ranks.first()) {
+    file.emplace(call.output, picture.width, picture.height, provenance(run, index, call.recipe));
+  }
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
+  std::size_t done = 0;
+  const auto stop_when_interrupted = [&] {
+    if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} tiles", done, tiling.tiles()));
+  };
   viz::Image band;
   const viz::WorkInUnits work{
       .count = tiling.tiles(),
       .unit_name = "tile",
+      .subject = run.snapshot_files().at(index).filename().string(),
       .result_bytes = tiling.largest_tile() * 3,
       .prepare =
           [&] {
@@ -85,18 +93,20 @@ void render_picture(const RenderCall& call, const RunReader& run) {
           },
       .take =
           [&](std::size_t tile, const std::uint8_t* result) {
-            if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} tiles", tile, tiling.tiles()));
+            stop_when_interrupted();
             const viz::PixelWindow window = tiling.tile(tile);
             if (window.left == 0) {
               band = {picture.width, window.height, {}};
               band.rgb.resize(static_cast<std::size_t>(band.width) * static_cast<std::size_t>(band.height) * 3);
             }
             viz::place(band, {window.width, window.height, {result, result + window.pixels() * 3}}, window.left, 0);
-            if (window.right() == picture.width) file.add_rows(band.rgb.data(), band.height);
-            progress.update(static_cast<std::int64_t>(tile + 1), static_cast<std::int64_t>(tiling.tiles()));
-          }};
-  viz::do_units(work, worker_count(call));
-  file.finish();
+            if (window.right() == picture.width) file->add_rows(band.rgb.data(), band.height);
+            done = tile + 1;
+            progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(tiling.tiles()));
+          },
+      .while_waiting = stop_when_interrupted};
+  ranks.do_units(work, worker_count(call));
+  if (file) file->finish();
 }
 
 }  // namespace packstone::cli

@@ -27,16 +27,7 @@ namespace {
 
 constexpr int most_deaths = 3;          ///< of workers on one unit
 constexpr std::size_t units_ahead = 2;  ///< a worker, of the first that is not taken yet: bounds the memory
-constexpr std::size_t longest_message = 2000;
-
-enum class Outcome : std::uint8_t { done, input_error, failure };
-
-/// What a worker says of a unit, with its words where it failed.
-struct Answer {
-  std::size_t unit = 0;
-  Outcome outcome = Outcome::done;
-  char words[longest_message + 1] = {};
-};
+constexpr int outside_interval = 1;     ///< to ask workers outside for their answers [ms]
 
 bool send_all(int socket, const void* bytes, std::size_t count) {
   const auto* next = static_cast<const char*>(bytes);
@@ -83,33 +74,16 @@ class SharedMemory {
   std::uint8_t* memory_;
 };
 
-Answer do_one(const DoUnit& do_unit, std::size_t unit, std::uint8_t* result) {
-  Answer answer{.unit = unit};
-  const auto failed = [&](Outcome outcome, const char* words) {
-    answer.outcome = outcome;
-    std::strncpy(answer.words, words, longest_message);
-  };
-  try {
-    do_unit(unit, result);
-  } catch (const InputError& error) {
-    failed(Outcome::input_error, error.what());
-  } catch (const std::exception& error) {
-    failed(Outcome::failure, error.what());
-  }
-  return answer;
-}
-
 /// A worker's life, until its parent's end of the socket closes.
 void work_on(const WorkInUnits& work, int socket, std::uint8_t* result) {
   DoUnit do_unit;
   std::size_t unit = 0;
   while (receive_all(socket, &unit, sizeof unit)) {
     std::memset(result, 0, work.result_bytes);
-    const DoUnit prepare_and_do = [&](std::size_t k, std::uint8_t* into) {
+    const Answer answer = answer_of(unit, [&] {
       if (!do_unit) do_unit = work.prepare();
-      do_unit(k, into);
-    };
-    const Answer answer = do_one(prepare_and_do, unit, result);
+      do_unit(unit, result);
+    });
     if (!send_all(socket, &answer, sizeof answer)) return;
   }
 }
@@ -183,29 +157,59 @@ class Worker {
 /// Hands out units and takes results, in this process.
 class Foreman {
  public:
-  Foreman(const WorkInUnits& work, std::size_t workers) : work_(work), workers_(workers), deaths_(work.count, 0) {
+  Foreman(const WorkInUnits& work, std::size_t workers, OutsideWorkers* outside)
+      : work_(work),
+        workers_(workers),
+        outside_(outside),
+        idle_outside_(outside != nullptr ? outside->count() : 0, true),
+        deaths_(work.count, 0) {
     for (std::size_t unit = 0; unit < work.count; ++unit) waiting_.push_back(unit);
   }
 
   void run() {
     while (taken_ < work_.count) {
+      if (work_.while_waiting) work_.while_waiting();
       for (auto& worker : workers_) hand_out(worker);
+      hand_outside();
       std::vector<pollfd> sockets;
       for (const auto& worker : workers_) {
         sockets.push_back({worker && !worker->idle() ? worker->socket() : -1, POLLIN, 0});
       }
-      if (poll(sockets.data(), sockets.size(), -1) < 0) continue;  // a signal: take() may want to know
+      const int patience = idle_outside_.empty() ? -1 : outside_interval;
+      if (poll(sockets.data(), sockets.size(), patience) < 0) continue;  // a signal: somebody may want to know
       for (std::size_t k = 0; k < sockets.size(); ++k) {
         if (sockets[k].revents != 0) collect(workers_[k]);
       }
+      collect_outside();
       take_in_order();
     }
   }
 
  private:
+  bool unit_to_hand_out() const {
+    return !waiting_.empty() && waiting_.front() < taken_ + units_ahead * (workers_.size() + idle_outside_.size());
+  }
+
+  void hand_outside() {
+    for (std::size_t k = 0; k < idle_outside_.size() && unit_to_hand_out(); ++k) {
+      if (!idle_outside_[k]) continue;
+      outside_->start(k, waiting_.front());
+      waiting_.pop_front();
+      idle_outside_[k] = false;
+    }
+  }
+
+  void collect_outside() {
+    if (idle_outside_.empty()) return;
+    while (auto report = outside_->report()) {
+      report->answer.rethrow();
+      idle_outside_[report->worker] = true;
+      results_[report->answer.unit] = std::move(report->result);
+    }
+  }
+
   void hand_out(std::unique_ptr<Worker>& worker) {
-    if (waiting_.empty() || waiting_.front() >= taken_ + units_ahead * workers_.size()) return;
-    if (worker && !worker->idle()) return;
+    if (!unit_to_hand_out() || (worker && !worker->idle())) return;
     if (!worker) worker = std::make_unique<Worker>(work_, workers_);
     const std::size_t unit = waiting_.front();
     waiting_.pop_front();
@@ -215,8 +219,7 @@ class Foreman {
   void collect(std::unique_ptr<Worker>& worker) {
     Answer answer;
     if (!worker->finish(answer)) return bury(worker);
-    if (answer.outcome == Outcome::input_error) throw InputError(answer.words);
-    if (answer.outcome == Outcome::failure) throw RunError(answer.words);
+    answer.rethrow();
     results_[answer.unit].assign(worker->result(), worker->result() + work_.result_bytes);
   }
 
@@ -241,6 +244,8 @@ class Foreman {
 
   const WorkInUnits& work_;
   std::vector<std::unique_ptr<Worker>> workers_;
+  OutsideWorkers* outside_;
+  std::vector<bool> idle_outside_;
   std::deque<std::size_t> waiting_;
   std::map<std::size_t, std::vector<std::uint8_t>> results_;
   std::size_t taken_ = 0;
@@ -259,11 +264,11 @@ void do_alone(const WorkInUnits& work) {
 
 }  // namespace
 
-void do_units(const WorkInUnits& work, int workers) {
+void do_units(const WorkInUnits& work, int workers, OutsideWorkers* outside) {
   if (work.count == 0) return;
   const std::size_t needed = std::min(work.count, static_cast<std::size_t>(std::max(1, workers)));
-  if (needed == 1) return do_alone(work);
-  Foreman(work, needed).run();
+  if (work.count == 1 || (needed == 1 && outside == nullptr)) return do_alone(work);
+  Foreman(work, needed, outside).run();
 }
 
 }  // namespace packstone::viz
