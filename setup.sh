@@ -13,9 +13,9 @@ usage="usage: ./setup.sh [build|demo|test [OPTION...]|bench [OPTION...]]
 
 build_packages=(g++ make cmake ninja-build git ca-certificates)
 library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-                  libmuparser-dev voro++-dev libvtk9-dev libosmesa6-dev libisal-dev
+                  libmuparser-dev voro++-dev libvtk9-dev libosmesa6-dev libegl-dev libisal-dev
                   libcairo2-dev libopenmpi-dev)
-program_packages=(ffmpeg openmpi-bin fontconfig fonts-dejavu-core)
+program_packages=(ffmpeg openmpi-bin libegl1 fontconfig fonts-dejavu-core)
 test_packages=(catch2 python3-h5py voro++ poppler-utils)
 bench_packages=(lammps liggghts libbenchmark-dev)
 

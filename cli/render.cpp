@@ -11,6 +11,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "viz/offscreen.hpp"
 
 namespace packstone::cli {
 
@@ -67,6 +68,7 @@ void render(const RenderCall& call, viz::Ranks& ranks) {
   const RunReader run(call.path);
   const std::string extension = call.output.extension().string();
   catch_interrupts();
+  viz::use_backend(viz::backend_named(call.backend));
   if (extension == ".png") {
     if (!call.frames.empty()) {
       throw InputError("--frames makes a film or a folder of pictures; name x.mp4, x.gif or a folder with -o");
@@ -117,6 +119,9 @@ void add_render(Program& program) {
   verb.add("--font-scale", call->font_scale, "Size of letters and lines, over the usual")
       .between(0.1, 10.0)
       .shows_default();
+  verb.add("--backend", call->backend, "Where OpenGL, for the walls, comes from: osmesa or egl")
+      .shows_default()
+      .of_call();
   verb.add_flag("--quiet", call->quiet, "No progress").of_call();
   verb.set_action([call, verb] {
     call->recipe = verb.recipe();

@@ -28,6 +28,7 @@ struct RenderCall {
   std::string tiles;
   int parts = 1;
   int workers = 0;  ///< 0: one a core
+  std::string backend = "osmesa";
   int rate = 25;
   bool quiet = false;
   std::string recipe;  ///< Verb::recipe

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/drawn_by.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_call.hpp"
@@ -64,23 +65,25 @@ class Film {
   /// All frames; use(snapshot, image, result) makes the result of one in a worker, take(frame, result) has it here.
   template <class Use, class Take>
   viz::WorkInUnits in_units(std::size_t result_bytes, const Use& use, const Take& take) {
-    const auto prepare = [this, use] {
+    const auto prepare = [this, use, result_bytes] {
       const auto painter = std::make_shared<viz::ParticlePainter>(picture_);
-      return [this, use, painter](std::size_t frame, std::uint8_t* result) {
+      return [this, use, painter, result_bytes](std::size_t frame, std::uint8_t* result) {
         const Snapshot snapshot = run_.snapshot(frames_[frame], read_for(picture_, overlay_));
         use(snapshot, painter->paint(snapshot, overlay_.of(snapshot, frames_[frame])), frame, result);
+        tell_drawn_by(result + result_bytes);
       };
     };
-    const auto take_and_tell = [this, take](std::size_t frame, const std::uint8_t* result) {
+    const auto take_and_tell = [this, take, result_bytes](std::size_t frame, const std::uint8_t* result) {
       take(frame, result);
       done_ = frame + 1;
       stop_when_interrupted();
-      progress_.update(static_cast<std::int64_t>(done_), static_cast<std::int64_t>(frames_.size()));
+      progress_.update(static_cast<std::int64_t>(done_), static_cast<std::int64_t>(frames_.size()),
+                       done_ == frames_.size() ? drawn_by(result + result_bytes) : "");
     };
     return {.count = frames_.size(),
             .unit_name = "frame",
             .subject = run_.snapshot_files().at(frames_.back()).filename().string(),
-            .result_bytes = result_bytes,
+            .result_bytes = result_bytes + drawn_by_bytes,
             .prepare = prepare,
             .take = take_and_tell,
             .while_waiting = [this] { stop_when_interrupted(); }};
@@ -117,13 +120,15 @@ void render_folder(const RenderCall& call, const RunReader& run, viz::Ranks& ran
   };
   if (ranks.count() == 1) {
     const auto write = [&](const Snapshot& snapshot, const viz::Image& image, std::size_t frame, std::uint8_t*) {
-      viz::write_png(file(frame), image, provenance(run, snapshot, call.recipe));
+      viz::write_png(file(frame), image, with_renderer(provenance(run, snapshot, call.recipe), viz::renderer_in_use()));
     };
     ranks.do_units(film.in_units(0, write, [](std::size_t, const std::uint8_t*) {}), worker_count(call));
     return;
   }
   const auto write = [&](std::size_t frame, const std::uint8_t* result) {
-    viz::write_png(file(frame), film.image(result), provenance(run, film.snapshot_of(frame), call.recipe));
+    viz::write_png(
+        file(frame), film.image(result),
+        with_renderer(provenance(run, film.snapshot_of(frame), call.recipe), drawn_by(result + film.bytes())));
   };
   ranks.do_units(film.in_units(film.bytes(), hand_over, write), worker_count(call));
 }

@@ -98,8 +98,7 @@ void add_overlay_options(Verb& verb, OverlayCall& call) {
            "all, shrunk or hidden [all; shrunk among arrows, hidden with contacts, chains and trajectories]");
   verb.add_flag("--contacts", call.contacts, "Tubes along all contacts, by force");
   verb.add_flag("--chains", call.chains, "Tubes along force chains, by force");
-  verb.add("--force-scale", call.look.thickest_force, "Force of the thickest tube [N] [1 % are above it]")
-      .positive();
+  verb.add("--force-scale", call.look.thickest_force, "Force of the thickest tube [N] [1 % are above it]").positive();
   verb.add("--tube-width", call.look.link_width, "Radius of the thickest tube, in mean particle radii")
       .between(0.0, widest)
       .shows_default();

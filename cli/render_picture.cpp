@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/drawn_by.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_call.hpp"
@@ -76,19 +77,22 @@ void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ra
     if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} tiles", done, tiling.tiles()));
   };
   viz::Image band;
+  std::string renderer;
+  const std::size_t pixel_bytes = tiling.largest_tile() * 3;
   const viz::WorkInUnits work{
       .count = tiling.tiles(),
       .unit_name = "tile",
       .subject = run.snapshot_files().at(index).filename().string(),
-      .result_bytes = tiling.largest_tile() * 3,
+      .result_bytes = pixel_bytes + drawn_by_bytes,
       .prepare =
           [&] {
             const auto painter = std::make_shared<viz::ParticlePainter>(picture);
             const Snapshot snapshot = run.snapshot(index, read_for(picture, overlay));
             painter->show(snapshot, overlay.of(snapshot, index));
-            return [painter, &tiling](std::size_t tile, std::uint8_t* result) {
+            return [painter, pixel_bytes, &tiling](std::size_t tile, std::uint8_t* result) {
               const viz::Image image = painter->part(tiling.tile(tile));
               std::copy(image.rgb.begin(), image.rgb.end(), result);
+              tell_drawn_by(result + pixel_bytes);
             };
           },
       .take =
@@ -102,11 +106,13 @@ void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ra
             viz::place(band, {window.width, window.height, {result, result + window.pixels() * 3}}, window.left, 0);
             if (window.right() == picture.width) file->add_rows(band.rgb.data(), band.height);
             done = tile + 1;
-            progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(tiling.tiles()));
+            renderer = drawn_by(result + pixel_bytes);
+            progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(tiling.tiles()),
+                            done == tiling.tiles() ? renderer : "");
           },
       .while_waiting = stop_when_interrupted};
   ranks.do_units(work, worker_count(call));
-  if (file) file->finish();
+  if (file) file->finish(with_renderer({}, renderer));
 }
 
 }  // namespace packstone::cli

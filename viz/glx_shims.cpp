@@ -3,14 +3,25 @@
 #include <cstring>
 #include <string>
 
-#include <GL/osmesa.h>
 #include <dlfcn.h>
+
+namespace packstone::viz {
+
+namespace {
+
+GlFunction (*find_by_name)(const char* name) = nullptr;
+
+}  // namespace
+
+void find_gl_functions_by(GlFunction (*find)(const char* name)) { find_by_name = find; }
+
+}  // namespace packstone::viz
 
 // GLEW as Debian builds it finds OpenGL through these four glX functions alone. The executable exports them, so that
 // the dynamic linker takes them before libGLX's. Their types are X's own, written without its headers.
 extern "C" {
 
-using GlFunction = void (*)();
+using packstone::viz::GlFunction;
 
 GlFunction glXGetProcAddressARB(const unsigned char* name);
 void* glXGetCurrentDisplay();
@@ -20,7 +31,7 @@ const char* glXGetClientString(void* display, int name);
 GlFunction glXGetProcAddressARB(const unsigned char* name) {
   const char* text = reinterpret_cast<const char*>(name);
   if (std::strcmp(text, "glXGetCurrentDisplay") == 0) return reinterpret_cast<GlFunction>(&glXGetCurrentDisplay);
-  return OSMesaGetProcAddress(text);
+  return packstone::viz::find_by_name(text);
 }
 
 void* glXGetCurrentDisplay() {

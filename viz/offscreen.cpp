@@ -1,9 +1,9 @@
 #include "viz/offscreen.hpp"
 
-#include <array>
 #include <string>
+#include <utility>
 
-#include <GL/osmesa.h>
+#include <GL/gl.h>
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -12,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "core/error.hpp"
+#include "viz/gl_context.hpp"
 #include "viz/glx_shims.hpp"
 
 namespace packstone::viz {
@@ -26,26 +27,27 @@ void check_size(int width, int height) {
   }
 }
 
-constexpr int context_attributes[] = {OSMESA_FORMAT,
-                                      OSMESA_RGBA,
-                                      OSMESA_PROFILE,
-                                      OSMESA_CORE_PROFILE,
-                                      OSMESA_CONTEXT_MAJOR_VERSION,
-                                      3,
-                                      OSMESA_CONTEXT_MINOR_VERSION,
-                                      2,
-                                      OSMESA_DEPTH_BITS,
-                                      24,
-                                      0};
+constexpr std::pair<const char*, Backend> backends[] = {{"osmesa", Backend::osmesa}, {"egl", Backend::egl}};
+
+Backend wanted = Backend::osmesa;
+std::string in_use;
 
 }  // namespace
 
-/// The OSMesa context with VTK's window on it. VTK draws into buffers of its own, so the context's is a token one.
-struct OffscreenWindow::Context {
-  static constexpr int token_side = 16;
+Backend backend_named(const std::string& name) {
+  for (const auto& [known, backend] : backends) {
+    if (name == known) return backend;
+  }
+  throw InputError(fmt::format("there is no way '{}' to draw without a screen; there are osmesa and egl", name));
+}
 
-  OSMesaContext mesa = nullptr;
-  std::array<std::uint8_t, token_side * token_side * 4> buffer{};
+void use_backend(Backend backend) { wanted = backend; }
+
+std::string renderer_in_use() { return in_use; }
+
+/// The OpenGL context with VTK's window on it.
+struct OffscreenWindow::Context {
+  std::unique_ptr<GlContext> gl;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   std::string failure;  ///< VTK's own words; empty while all is well
 
@@ -54,22 +56,15 @@ struct OffscreenWindow::Context {
       throw RunError(
           "this program was linked without its off-screen renderer; link it to the CMake target packstone::viz");
     }
-    mesa = OSMesaCreateContextAttribs(context_attributes, nullptr);
-    if (mesa == nullptr) throw RunError("OSMesa gives no OpenGL 3.2 core context; is libosmesa6 as built installed?");
-    if (!make_current()) {
-      OSMesaDestroyContext(mesa);
-      throw RunError("OSMesa does not let its OpenGL context be used");
-    }
+    gl = wanted == Backend::egl ? make_egl_context() : make_osmesa_context();
+    const auto words = [](GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); };
+    in_use = fmt::format("{} {}, OpenGL {}", wanted == Backend::egl ? "EGL" : "OSMesa", words(GL_RENDERER),
+                         words(GL_VERSION));
   }
 
   ~Context() {
-    make_current();
+    gl->make_current();
     window->Finalize();
-    OSMesaDestroyContext(mesa);
-  }
-
-  bool make_current() {
-    return OSMesaMakeCurrent(mesa, buffer.data(), GL_UNSIGNED_BYTE, token_side, token_side) == GL_TRUE;
   }
 
   void set_up_window() {
@@ -87,7 +82,7 @@ struct OffscreenWindow::Context {
     window->SetReadyForRendering(true);
     window->SetFrameBlitModeToNoBlit();
     if (!window->InitializeFromCurrentContext() || !failure.empty()) {
-      throw RunError("VTK cannot use the OSMesa context: " + failure);
+      throw RunError("VTK cannot use the OpenGL context: " + failure);
     }
   }
 
@@ -95,10 +90,10 @@ struct OffscreenWindow::Context {
     auto* self = static_cast<Context*>(client);
     switch (event) {
       case vtkCommand::WindowMakeCurrentEvent:
-        if (OSMesaGetCurrentContext() != self->mesa) self->make_current();
+        if (!self->gl->is_current()) self->gl->make_current();
         break;
       case vtkCommand::WindowIsCurrentEvent:
-        *static_cast<bool*>(data) = OSMesaGetCurrentContext() == self->mesa;
+        *static_cast<bool*>(data) = self->gl->is_current();
         break;
       case vtkCommand::ErrorEvent:
         self->failure = data == nullptr ? "VTK gives no reason" : static_cast<const char*>(data);

@@ -1,8 +1,9 @@
-// Drawing without a screen: the one part that knows how an OpenGL context comes about.
+// Drawing without a screen. How an OpenGL context comes about is known to gl_context.hpp and its files alone.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkRenderWindow;
@@ -11,6 +12,19 @@ namespace packstone::viz {
 
 /// The software renderer misbehaves above this many pixels a side.
 inline constexpr int max_side = 8192;
+
+/// Where the OpenGL context comes from; with the same Mesa both draw the same bytes.
+enum class Backend { osmesa, egl };
+
+/// Throws InputError where there is none of the name.
+Backend backend_named(const std::string& name);
+
+/// Of all windows that this process makes from now on: OpenGL's functions are the process's. OSMesa until then.
+void use_backend(Backend backend);
+
+/// What drew the last window of this process, such as "OSMesa llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core
+/// Profile) Mesa 22.3.6"; empty while there was none.
+std::string renderer_in_use();
 
 /// A VTK render window in memory. Needs neither X nor DISPLAY, and never touches them.
 /// An executable that links packstone::viz has all it needs; the constructor checks that it does.

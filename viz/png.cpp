@@ -176,9 +176,10 @@ void PngWriter::add_rows(const std::uint8_t* rgb, int rows) {
   rows_left_ -= rows;
 }
 
-void PngWriter::finish() {
+void PngWriter::finish(const PngText& text) {
   if (rows_left_ > 0) throw InputError(fmt::format("{} rows of the picture are missing", rows_left_));
   file_->compress(filtered_, true);
+  for (const auto& [keyword, value] : text) file_->write(text_chunk(keyword, value));
   file_->write(png_chunk("IEND", {}));
   file_->out.close();
   file_->check();

@@ -32,8 +32,9 @@ class PngWriter {
   /// rgb is (rows * width * 3). Throws InputError when the picture has fewer rows left, RunError when the disk refuses.
   void add_rows(const std::uint8_t* rgb, int rows);
 
-  /// Puts the file in place. Throws InputError when rows are missing, RunError when the disk refuses.
-  void finish();
+  /// Puts the file in place, with text that is known only now behind its pixels. Throws InputError when rows are
+  /// missing, RunError when the disk refuses.
+  void finish(const PngText& text = {});
 
  private:
   struct File;

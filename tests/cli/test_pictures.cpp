@@ -108,6 +108,27 @@ TEST_CASE("tiles, parts and workers change no byte of a picture or a film") {
   CHECK((made("more.mp4", " --workers 3 --parts 2") == film));
 }
 
+TEST_CASE("a picture names what drew its walls, and a backend that is not there gives one line") {
+  const Run run;
+  const std::string call = "render " + run.path + run.out("x.png") + " --size 200x150 --backend ";
+  REQUIRE(packstone_command(call + "egl --workers 1").exit_code == 0);
+  const std::string bytes = read_text_file(run.folder / "x.png");
+  CHECK_THAT(bytes, Contains(std::string("Renderer\0EGL ", 13)));
+  REQUIRE(packstone_command(call + "egl --workers 2 --tiles 2x2 --quiet").exit_code == 0);
+  CHECK((read_text_file(run.folder / "x.png") == bytes));
+  REQUIRE(packstone_command(call + "osmesa").exit_code == 0);
+  CHECK_THAT(read_text_file(run.folder / "x.png"), Contains(std::string("Renderer\0OSMesa ", 16)));
+  std::filesystem::remove(run.folder / "x.png");
+  for (const char* workers : {" --workers 1", " --workers 2 --tiles 2x1"}) {
+    const auto result = packstone_command(call + "egl" + workers, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere");
+    INFO(result.output);
+    CHECK(result.exit_code == 1);
+    CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
+    CHECK_THAT(result.output, Contains("EGL gives no OpenGL context without a screen"));
+    CHECK_FALSE(std::filesystem::exists(run.folder / "x.png"));
+  }
+}
+
 TEST_CASE("the colours of a film span all frames, also where the first is empty") {
   const TemporaryFolder folder;
   std::ofstream dump(folder / "poured.dump");
@@ -261,6 +282,7 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.png") + " --force-scale 0",
         "render " + run.path + run.out("x.png") + " --preset print",
         "render " + run.path + run.out("x.png") + " --view /no/such/view.toml",
+        "render " + run.path + run.out("x.png") + " --backend glx",
         "slice " + run.path + run.out("x.png") + " --plane w=1",
         "slice " + run.path + run.out("x.png") + " --plane z=9",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85",

@@ -30,3 +30,21 @@ TEST_CASE("a size the software renderer cannot draw is refused") {
   options.width = 32769;
   CHECK_THROWS_AS(ParticlePainter(options), InputError);
 }
+
+TEST_CASE("OSMesa and EGL draw the same bytes, and say which of them it was") {
+  PictureOptions options;
+  options.width = 320;
+  options.height = 240;
+  Snapshot snapshot = testing::layered_packing(1);
+  snapshot.boundaries.push_back(testing::upright_cylinder(0.5 * snapshot.domain.max, 0.4, 0.3, 24));
+  const Image by_osmesa = draw_particles(snapshot, options);
+  CHECK(renderer_in_use().rfind("OSMesa ", 0) == 0);
+  use_backend(backend_named("egl"));
+  const Image by_egl = draw_particles(snapshot, options);
+  CHECK(renderer_in_use().rfind("EGL ", 0) == 0);
+  use_backend(Backend::osmesa);
+  CHECK((by_egl.rgb == by_osmesa.rgb));
+  options.container = false;
+  CHECK_FALSE((draw_particles(snapshot, options).rgb == by_osmesa.rgb));  // there were walls to compare
+  CHECK_THROWS_AS(backend_named("glx"), InputError);
+}
