@@ -21,7 +21,7 @@
 #include "core/scene.hpp"
 #include "viz/particle_scene.hpp"
 #include "viz/save_drawing.hpp"
-#include "viz/slice.hpp"
+#include "viz/slice_drawing.hpp"
 
 namespace packstone::cli {
 

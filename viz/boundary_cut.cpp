@@ -5,96 +5,97 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace packstone::viz {
 
 namespace {
 
-using Place = std::array<double, 2>;
-
-struct Segment {
-  Place from;
-  Place to;
+struct CutPiece {
+  InPlane from;
+  InPlane to;
 };
 
-/// The part of the domain in the slice.
-struct Frame {
-  Place low;
-  Place high;
+/// The part of the domain in the slice, a convex polygon.
+class Frame {
+ public:
+  explicit Frame(std::vector<InPlane> corners) : corners_(std::move(corners)) {}
 
-  Frame(const Domain& domain, PlaneAxes axes)
-      : low{domain.min[axes.u], domain.min[axes.v]}, high{domain.max[axes.u], domain.max[axes.v]} {}
-
+  /// By its box.
   bool may_meet(const CutLine& line) const {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto beyond = [&](const Place& p) { return p[k] > high[k]; };
-      const auto before = [&](const Place& p) { return p[k] < low[k]; };
-      if (std::all_of(line.begin(), line.end(), beyond) || std::all_of(line.begin(), line.end(), before)) return false;
-    }
-    return true;
+    const auto apart = [&](auto&& coordinate) {
+      const auto [low, high] = range(corners_, coordinate);
+      const auto [first, last] = range(line, coordinate);
+      return first > high || last < low;
+    };
+    return !apart([](const InPlane& p) { return p.u; }) && !apart([](const InPlane& p) { return p.v; });
   }
 
-  bool has_as_side(const Segment& s) const {
-    constexpr double tolerance = 1e-6;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double near = tolerance * (high[k] - low[k]);
-      for (const double side : {low[k], high[k]}) {
-        if (std::abs(s.from[k] - side) < near && std::abs(s.to[k] - side) < near) return true;
-      }
+  bool has_as_side(const CutPiece& s) const {
+    constexpr double tolerance = 1e-6;  // of the polygon's sides
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const InPlane &a = corners_[k], &b = corners_[(k + 1) % corners_.size()];
+      const double length = std::hypot(b.u - a.u, b.v - a.v);
+      const auto near = [&](const InPlane& p) {
+        return std::abs((b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u)) < tolerance * length * length;
+      };
+      if (near(s.from) && near(s.to)) return true;
     }
     return false;
   }
+
+  /// The line of all (u, v) with n.u u + n.v v = offset, inside.
+  std::optional<CutPiece> line(const InPlane& n, double offset) const {
+    constexpr double parallel = 1e-9;  // to the slice's plane
+    if (!(std::hypot(n.u, n.v) > parallel)) return std::nullopt;
+    std::vector<InPlane> ends;
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const InPlane &a = corners_[k], &b = corners_[(k + 1) % corners_.size()];
+      const double at_a = n.u * a.u + n.v * a.v - offset, at_b = n.u * b.u + n.v * b.v - offset;
+      if ((at_a >= 0) == (at_b >= 0)) continue;
+      const double share = at_a / (at_a - at_b);
+      ends.push_back({a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)});
+    }
+    if (ends.size() != 2) return std::nullopt;
+    return CutPiece{ends[0], ends[1]};
+  }
+
+ private:
+  template <class Coordinate>
+  static std::pair<double, double> range(const std::vector<InPlane>& points, Coordinate&& coordinate) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const InPlane& p : points) {
+      low = std::min(low, coordinate(p));
+      high = std::max(high, coordinate(p));
+    }
+    return {low, high};
+  }
+
+  std::vector<InPlane> corners_;
 };
 
-/// The line of all (u, v) with n.x u + n.y v = offset, inside the frame.
-std::optional<Segment> line_in_frame(const Place& n, double offset, const Frame& frame) {
-  const double length = std::hypot(n[0], n[1]);
-  constexpr double parallel = 1e-9;  // to the slice's plane
-  if (!(length > parallel)) return std::nullopt;
-  const Place along = {-n[1] / length, n[0] / length};
-  // From the foot of the middle of the frame, which is exact where the frame is small and far from the origin.
-  Place foot = {(frame.low[0] + frame.high[0]) / 2, (frame.low[1] + frame.high[1]) / 2};
-  const double beside = (offset - n[0] * foot[0] - n[1] * foot[1]) / (length * length);
-  for (std::size_t k = 0; k < 2; ++k) foot[k] += beside * n[k];
-  double first = -std::numeric_limits<double>::infinity();
-  double last = -first;
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (along[k] == 0) {
-      if (foot[k] < frame.low[k] || foot[k] > frame.high[k]) return std::nullopt;
-      continue;
-    }
-    const auto [a, b] = std::minmax({(frame.low[k] - foot[k]) / along[k], (frame.high[k] - foot[k]) / along[k]});
-    first = std::max(first, a);
-    last = std::min(last, b);
-  }
-  if (!(first < last)) return std::nullopt;
-  const auto at = [&](double way) { return Place{foot[0] + way * along[0], foot[1] + way * along[1]}; };
-  return Segment{at(first), at(last)};
-}
-
 /// Where the slice cuts a triangle; corners in its plane count as above it, so that neighbours agree.
-std::optional<Segment> cut(const BoundaryRecord& surface, const std::array<std::int32_t, 3>& triangle,
-                           const SlicePlane& plane, PlaneAxes axes) {
-  Place ends[2];
+std::optional<CutPiece> cut(const BoundaryRecord& surface, const std::array<std::int32_t, 3>& triangle,
+                            const SlicePlane& plane) {
+  InPlane ends[2];
   int count = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const Vec3* above = &surface.points[triangle[c]];
     const Vec3* below = &surface.points[triangle[(c + 1) % 3]];
-    const auto height = [&](const Vec3* p) { return (*p)[plane.axis] - plane.position; };
+    const auto height = [&](const Vec3* p) { return plane.height(*p); };
     if ((height(above) >= 0) == (height(below) >= 0)) continue;
     // From the upper end down, whichever way round the triangle, so that both neighbours get the same point.
     if (height(above) < 0) std::swap(above, below);
     const double share = height(above) / (height(above) - height(below));
-    const Vec3 p = *above + share * (*below - *above);
-    ends[count++] = {p[axes.u], p[axes.v]};
+    ends[count++] = plane.place(*above + share * (*below - *above));
   }
   if (count < 2 || ends[0] == ends[1]) return std::nullopt;
-  return Segment{ends[0], ends[1]};
+  return CutPiece{ends[0], ends[1]};
 }
 
-/// Segments that share an end become one line.
-std::vector<CutLine> joined(const std::vector<Segment>& segments) {
-  std::map<Place, std::vector<std::size_t>> meeting;
+/// CutPieces that share an end become one line.
+std::vector<CutLine> joined(const std::vector<CutPiece>& segments) {
+  std::map<InPlane, std::vector<std::size_t>> meeting;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     meeting[segments[s].from].push_back(s);
     meeting[segments[s].to].push_back(s);
@@ -106,7 +107,7 @@ std::vector<CutLine> joined(const std::vector<Segment>& segments) {
       const auto next = std::find_if(here.begin(), here.end(), [&](std::size_t s) { return !used[s]; });
       if (next == here.end()) return;
       used[*next] = true;
-      const Segment& s = segments[*next];
+      const CutPiece& s = segments[*next];
       line.push_back(s.from == line.back() ? s.to : s.from);
     }
   };
@@ -126,20 +127,20 @@ std::vector<CutLine> joined(const std::vector<Segment>& segments) {
 }  // namespace
 
 std::vector<CutLine> boundary_cut(const Snapshot& snapshot, const SlicePlane& plane) {
-  const PlaneAxes axes = axes_in_plane(plane.axis);
-  const Frame frame(snapshot.domain, axes);
+  const Frame frame(section(snapshot.domain, plane));
   std::vector<CutLine> lines;
   for (const BoundaryRecord& wall : snapshot.boundaries) {
     if (wall.kind == "plane") {
+      // The slice's points are position n + u right + v up, with u and v from its origin.
       const Vec3& n = wall.normal;
-      const double offset = n.dot(wall.point) - n[plane.axis] * plane.position;
-      const auto line = line_in_frame({n[axes.u], n[axes.v]}, offset, frame);
+      const Vec3 start = plane.origin - plane.height(plane.origin) * plane.normal;
+      const auto line = frame.line({n.dot(plane.right), n.dot(plane.up)}, n.dot(wall.point - start));
       if (line && !frame.has_as_side(*line)) lines.push_back({line->from, line->to});
       continue;
     }
-    std::vector<Segment> segments;
+    std::vector<CutPiece> segments;
     for (const auto& triangle : wall.triangles) {
-      if (const auto segment = cut(wall, triangle, plane, axes)) segments.push_back(*segment);
+      if (const auto segment = cut(wall, triangle, plane)) segments.push_back(*segment);
     }
     for (CutLine& line : joined(segments)) {
       if (frame.may_meet(line)) lines.push_back(std::move(line));

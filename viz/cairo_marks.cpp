@@ -60,8 +60,9 @@ class CairoMarks {
 
   void operator()(const ClipMark& mark) {
     cairo_reset_clip(context_);
-    if (!mark.box) return;
-    cairo_rectangle(context_, mark.box->left, mark.box->top, mark.box->width(), mark.box->height());
+    if (mark.corners.empty()) return;
+    trace(mark.corners);
+    cairo_close_path(context_);
     cairo_clip(context_);
   }
 

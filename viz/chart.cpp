@@ -231,7 +231,7 @@ void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
       }
     }
   }
-  drawing.clip(std::nullopt);
+  drawing.end_clip();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,25 @@ Colouring colour_categories(const std::vector<std::int32_t>& category, const std
   return colouring;
 }
 
+/// Whole numbers of a field as categories.
+Colouring colour_numbered(const Snapshot& snapshot, const std::string& name) {
+  const Quantity numbers = *quantity(snapshot, name);
+  constexpr std::size_t most_named = 12;
+  Colouring colouring;
+  colouring.title = numbers.title;
+  std::set<std::int64_t> there;
+  for (const double value : numbers.values) {
+    const auto number = std::isfinite(value) ? static_cast<std::int64_t>(std::llround(value)) : -1;
+    colouring.colours.push_back(number < 0 ? no_value : category_colour(static_cast<std::size_t>(number)));
+    if (number >= 0 && there.size() <= most_named) there.insert(number);
+  }
+  if (there.size() > most_named) return colouring;
+  for (const std::int64_t number : there) {
+    colouring.entries.push_back({category_colour(static_cast<std::size_t>(number)), std::to_string(number)});
+  }
+  return colouring;
+}
+
 Colouring colour_groups(const Snapshot& snapshot) {
   std::vector<std::string> names;
   for (const GroupRecord& group : snapshot.groups) names.push_back(group.name);
@@ -95,9 +115,11 @@ Colouring colour_groups(const Snapshot& snapshot) {
 
 }  // namespace
 
-bool colours_categories(const std::string& name) { return name == "type" || name == "material"; }
+bool colours_categories(const std::string& name) {
+  return name == "type" || name == "material" || name.starts_with(category_prefix);
+}
 
-bool colour_needs_fields(const std::string& name) { return !colours_categories(name) && name != "radius"; }
+bool colour_needs_fields(const std::string& name) { return name != "type" && name != "material" && name != "radius"; }
 
 std::vector<std::string> colour_names(const Snapshot& snapshot) {
   std::vector<std::string> names = {"type", "material", "radius"};
@@ -116,6 +138,9 @@ Colouring colour_particles(const Snapshot& snapshot, const std::string& name, st
     throw InputError(fmt::format("the colour range {} to {} is not ascending", range->first, range->second));
   }
   if (name == "type") return colour_groups(snapshot);
+  if (name.starts_with(category_prefix)) {
+    return colour_numbered(snapshot, name.substr(std::string(category_prefix).size()));
+  }
   if (name == "material") return colour_categories(snapshot.material, snapshot.material_names, "material");
   const Quantity numbers = *quantity(snapshot, name);
   Colouring colouring;

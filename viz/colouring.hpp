@@ -34,7 +34,10 @@ struct Colouring : ColourKey {
   std::vector<Colour> colours;  ///< (N), row by row
 };
 
-/// Whether the name stands for categories, which have no range: "type" and "material".
+/// Before the name of a field whose whole numbers are categories: "category:cluster".
+inline constexpr const char* category_prefix = "category:";
+
+/// Whether the name stands for categories, which have no range: "type", "material" and those with the prefix.
 bool colours_categories(const std::string& name);
 
 /// Whether a snapshot without its fields lacks what to colour by.
@@ -48,8 +51,9 @@ std::vector<std::string> colour_names(const Snapshot& snapshot);
 /// Throws InputError that lists the names there are.
 std::optional<ValueRange> value_range(const Snapshot& snapshot, const std::string& name);
 
-/// Colours by the named quantity; without a range the scale spans the snapshot's own values.
-/// Throws InputError that lists the names there are, or when the range is not ascending.
+/// Colours by the named quantity; without a range the scale spans the snapshot's own values. Categories of a field have
+/// the colour of their number, 8 in turn; negative ones, as of particles in no cluster, have none. Their legend names
+/// them where they are few. Throws InputError that lists the names there are, or when the range is not ascending.
 Colouring colour_particles(const Snapshot& snapshot, const std::string& name, std::optional<ValueRange> range);
 
 }  // namespace packstone::viz

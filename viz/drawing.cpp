@@ -34,7 +34,13 @@ void Drawing::text(Point at, const std::string& text, TextStyle style) {
   if (!text.empty()) marks.emplace_back(TextMark{at, text, style});
 }
 
-void Drawing::clip(std::optional<Box> box) { marks.emplace_back(ClipMark{box}); }
+void Drawing::clip(const std::vector<Point>& corners) { marks.emplace_back(ClipMark{corners}); }
+
+void Drawing::clip(const Box& box) {
+  clip({{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}});
+}
+
+void Drawing::end_clip() { marks.emplace_back(ClipMark{}); }
 
 Drawing themed(Drawing drawing, Ground ground) {
   const auto change = [ground](Colour& colour) { colour = themed(colour, ground); };

@@ -102,9 +102,9 @@ struct TextMark {
   bool operator==(const TextMark&) const = default;
 };
 
-/// From here on nothing is drawn outside the box; without a box everything is again.
+/// From here on nothing is drawn outside the convex polygon; without corners everything is again.
 struct ClipMark {
-  std::optional<Box> box;
+  std::vector<Point> corners;
 
   bool operator==(const ClipMark&) const = default;
 };
@@ -136,7 +136,9 @@ struct Drawing {
   void band(const std::vector<Point>& first, const std::vector<Point>& second, Fill fill);
   /// Nothing where the text is empty.
   void text(Point at, const std::string& text, TextStyle style);
-  void clip(std::optional<Box> box);
+  void clip(const std::vector<Point>& corners);
+  void clip(const Box& box);
+  void end_clip();
 
   bool operator==(const Drawing&) const = default;
 };

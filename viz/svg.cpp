@@ -79,12 +79,10 @@ class Writer {
 
   void operator()(const ClipMark& mark) {
     if (clipping_) add("</g>");
-    clipping_ = mark.box.has_value();
+    clipping_ = !mark.corners.empty();
     if (!clipping_) return;
-    const Box& box = *mark.box;
     ++clips_;
-    add("<clipPath id='clip{}'><rect x='{:.2f}' y='{:.2f}' width='{:.2f}' height='{:.2f}'/></clipPath>", clips_,
-        box.left, box.top, box.width(), box.height());
+    add("<clipPath id='clip{}'><polygon points='{}'/></clipPath>", clips_, coordinates(mark.corners));
     add("<g clip-path='url(#clip{})'>", clips_);
   }
 

@@ -5,7 +5,7 @@
 
 #include "tests/viz/packings.hpp"
 #include "viz/boundary_cut.hpp"
-#include "viz/slice.hpp"
+#include "viz/slice_drawing.hpp"
 #include "viz/svg.hpp"
 
 using namespace packstone;
@@ -24,7 +24,7 @@ BoundaryRecord plane(const Vec3& point, const Vec3& normal) { return {"wall", "p
 double length(const CutLine& line) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    sum += std::hypot(line[i + 1][0] - line[i][0], line[i + 1][1] - line[i][1]);
+    sum += std::hypot(line[i + 1].u - line[i].u, line[i + 1].v - line[i].v);
   }
   return sum;
 }
@@ -54,8 +54,8 @@ TEST_CASE("a cylinder is cut along its axis in walls and floor") {
   const auto lines = boundary_cut(box_with(testing::upright_cylinder(Vec3(0.5, 0.5, 0.1), a, 1.5, 48)), {1, 0.5});
   REQUIRE(lines.size() == 1);
   CHECK(length(lines[0]) == Approx(2 * 1.5 + 2 * a * std::cos(M_PI / 48)));
-  CHECK(lines[0].front()[1] == Approx(1.6));
-  CHECK(lines[0].back()[1] == Approx(1.6));
+  CHECK(lines[0].front().v == Approx(1.6));
+  CHECK(lines[0].back().v == Approx(1.6));
 }
 
 TEST_CASE("nothing is cut beyond the ends, beside the domain, or in the plane itself") {

@@ -22,7 +22,7 @@ std::vector<LineMark> data_lines(const Chart& chart) {
   std::vector<LineMark> lines;
   bool in_plot = false;
   for (const Mark& mark : chart_drawing(chart).marks) {
-    if (const auto* clip = std::get_if<ClipMark>(&mark)) in_plot = clip->box.has_value();
+    if (const auto* clip = std::get_if<ClipMark>(&mark)) in_plot = !clip->corners.empty();
     if (const auto* line = std::get_if<LineMark>(&mark); line != nullptr && in_plot) lines.push_back(*line);
   }
   return lines;

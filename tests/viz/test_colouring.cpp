@@ -10,6 +10,20 @@ using namespace packstone;
 using namespace packstone::viz;
 using Catch::Matchers::Contains;
 
+TEST_CASE("whole numbers of a field are categories where they are asked for") {
+  Snapshot snapshot = testing::empty_box(Vec3::Ones());
+  for (int i = 0; i < 4; ++i) testing::add_particle(snapshot, Vec3::Constant(0.2 * i + 0.1), 0.05, 0);
+  snapshot.fields["cluster"] = {1, "", {0, 9, -1, 9}};
+  const Colouring colouring = colour_particles(snapshot, "category:cluster", {});
+  CHECK(colouring.colours == std::vector<Colour>{category_colour(0), category_colour(9), no_value, category_colour(9)});
+  REQUIRE(colouring.entries.size() == 2);
+  CHECK(colouring.entries[1].name == "9");
+  CHECK_FALSE(colouring.range);
+  CHECK(colours_categories("category:cluster"));
+  CHECK(colour_needs_fields("category:cluster"));
+  CHECK_THROWS_AS(colour_particles(snapshot, "category:cluter", {}), InputError);
+}
+
 TEST_CASE("categories take the palette and name the groups") {
   const Snapshot snapshot = testing::layered_packing(1);
   const Colouring colouring = colour_particles(snapshot, "type", std::nullopt);

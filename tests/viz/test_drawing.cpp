@@ -16,7 +16,7 @@ TEST_CASE("marks are drawn where they are, within their clip") {
   Drawing drawing{40, 30, {}};
   drawing.clip(Box{0, 0, 20, 30});
   drawing.disc({20, 15}, 10, Fill{red}, std::nullopt);
-  drawing.clip(std::nullopt);
+  drawing.end_clip();
   drawing.rectangle({30, 0, 40, 10}, Fill{red}, std::nullopt);
   const Image image = draw_image(drawing, 2);
   CHECK(image.at(15, 15) == red);

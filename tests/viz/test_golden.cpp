@@ -12,7 +12,7 @@
 #include "viz/drawing_painter.hpp"
 #include "viz/particle_scene.hpp"
 #include "viz/png.hpp"
-#include "viz/slice.hpp"
+#include "viz/slice_drawing.hpp"
 
 using namespace packstone;
 using namespace packstone::viz;

@@ -27,7 +27,7 @@ Drawing sheet(double opacity) {
   drawing.rectangle({20, 10, 180, 110}, Fill{plate_fill}, line);
   drawing.clip(Box{20, 10, 100, 110});
   drawing.disc({100, 60}, 40, Fill{category_colour(1), opacity}, line);
-  drawing.clip(std::nullopt);
+  drawing.end_clip();
   drawing.band({{110, 40}, {140, 30}, {170, 50}}, {{110, 60}, {140, 70}, {170, 60}}, Fill{category_colour(0), opacity});
   drawing.polyline({{110, 90}, {140, 80}, {170, 95}}, {line_colour(0), 3, {8, 4}});
   drawing.text({100, 130}, "Energy [10⁻⁵ J]", {.size = 14, .across = Side::middle});

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "core/geometry.hpp"
 #include "tests/viz/packings.hpp"
-#include "viz/slice.hpp"
+#include "viz/slice_drawing.hpp"
 #include "viz/svg.hpp"
 
 using namespace packstone;
@@ -52,6 +52,104 @@ TEST_CASE("a disc has the true radius, and images where it sticks out of a perio
   CHECK(slice_discs(snapshot, {1, 0.96}).empty());
 }
 
+TEST_CASE("oblique slices add up to the volume, too, and their discs are those of the plane") {
+  const Snapshot snapshot = [] {
+    Snapshot box = testing::empty_box(Vec3(1, 0.8, 1.2));
+    box.domain.periodic = {false, false, false};
+    testing::add_particle(box, Vec3(0.3, 0.4, 0.3), 0.2, 0);
+    testing::add_particle(box, Vec3(0.7, 0.3, 0.8), 0.25, 1);
+    testing::add_particle(box, Vec3(0.5, 0.5, 0.6), 0.05, 1);
+    return box;
+  }();
+  double volume = 0;
+  for (const double r : snapshot.radius) volume += sphere_volume(r);
+  for (const Vec3& normal : {Vec3(1, 1, 0), Vec3(-1, 2, 3), Vec3(0.01, 0, 1)}) {
+    constexpr int slices = 3000;
+    constexpr double thickness = 2.0 / slices;
+    double sum = 0;
+    for (int i = 0; i < slices; ++i) {
+      const Vec3 point = Vec3(0.5, 0.4, 0.6) + (-1 + (i + 0.5) * thickness) * normal.normalized();
+      const SlicePlane plane(point, normal);
+      if (section(snapshot.domain, plane).empty()) continue;
+      for (const Disc& disc : slice_discs(snapshot, plane)) {
+        sum += M_PI * disc.radius * disc.radius * thickness;
+        const Vec3 centre = plane.origin + disc.u * plane.right + disc.v * plane.up;
+        const double r = snapshot.radius[disc.row], h = (snapshot.position[disc.row] - centre).norm();
+        if (std::abs(h * h + disc.radius * disc.radius - r * r) > 1e-12) FAIL("not the plane's disc");
+      }
+    }
+    CHECK(sum == Approx(volume).epsilon(1e-3));
+  }
+  CHECK_THROWS_AS(slice_discs(snapshot, SlicePlane(Vec3(3, 0, 0), Vec3(1, 1, 0))), InputError);
+  CHECK_THROWS_AS(SlicePlane(Vec3::Zero(), Vec3::Zero()), InputError);
+}
+
+TEST_CASE("an oblique plane through a periodic box cuts the images, so that no area is lost") {
+  // A sphere in the corner: the plane x + y = L cuts its images only.
+  Snapshot snapshot = testing::empty_box(Vec3::Ones());
+  testing::add_particle(snapshot, Vec3(0.02, 0.02, 0.5), 0.2, 0);
+  const auto discs = slice_discs(snapshot, SlicePlane(Vec3(0.5, 0.5, 0.5), Vec3(1, 1, 0)));
+  REQUIRE(discs.size() == 2);
+  for (const Disc& disc : discs) {
+    CHECK(disc.radius == Approx(std::sqrt(0.04 - 0.04 * 0.04 / 2)));
+    CHECK(std::abs(disc.u) == Approx(std::sqrt(0.5)).margin(1e-9));
+  }
+}
+
+TEST_CASE("the part of the domain in a plane is a polygon of the right area") {
+  Domain domain;
+  domain.max = Vec3(1, 2, 3);
+  const auto area = [&](const SlicePlane& plane) {
+    const auto corners = section(domain, plane);
+    double twice = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const InPlane &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      twice += a.u * b.v - b.u * a.v;
+    }
+    return std::abs(twice) / 2;
+  };
+  CHECK(area({2, 1}) == Approx(2));
+  CHECK(area({Vec3(0.5, 1, 1.5), Vec3(1, 0, 0)}) == Approx(6));
+  CHECK(area({Vec3(0.5, 1, 1.5), Vec3(2, 1, 0)}) == Approx(3 * std::sqrt(5)));  // along the diagonal of the floor
+  // Through the centre of a cube, square to its diagonal: a regular hexagon of side sqrt(1/2).
+  domain.max = Vec3::Ones();
+  const SlicePlane hexagon(Vec3::Constant(0.5), Vec3::Ones());
+  CHECK(section(domain, hexagon).size() == 6);
+  CHECK(area(hexagon) == Approx(1.5 * std::sqrt(3) / 2));
+  CHECK(distance_from(section(domain, hexagon), {0, 0}) == 0);
+  CHECK(distance_from(section(domain, hexagon), {10, 0}) > 9);
+}
+
+TEST_CASE("panels have one scale of length and of colour, and a letter each") {
+  Snapshot small = testing::empty_box(Vec3::Ones()), large = testing::empty_box(Vec3(2, 1, 1.5));
+  testing::add_particle(small, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  testing::add_particle(large, Vec3(0.5, 0.5, 0.5), 0.2, 0);
+  SliceOptions options;
+  options.color = "radius";
+  options.title = "";
+  const Drawing drawing = slice_drawing({{small, {1, 0.5}, "small"}, {large, {1, 0.5}, "large"}}, options);
+  std::vector<const DiscMark*> discs;
+  std::vector<std::string> texts;
+  for (const Mark& mark : drawing.marks) {
+    if (const auto* disc = std::get_if<DiscMark>(&mark)) discs.push_back(disc);
+    if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text->text);
+  }
+  REQUIRE(discs.size() == 2);
+  CHECK(discs[1]->radius == Approx(2 * discs[0]->radius));
+  CHECK(discs[0]->fill.colour == sequential_colour(0));
+  CHECK(discs[1]->fill.colour == sequential_colour(1));
+  CHECK(discs[0]->centre.x < discs[1]->centre.x);
+  CHECK(std::count(texts.begin(), texts.end(), "(a) small") == 1);
+  CHECK(std::count(texts.begin(), texts.end(), "(b) large") == 1);
+  options.columns = 1;
+  const Drawing below = slice_drawing({{small, {1, 0.5}, ""}, {large, {1, 0.5}, ""}}, options);
+  discs.clear();
+  for (const Mark& mark : below.marks) {
+    if (const auto* disc = std::get_if<DiscMark>(&mark)) discs.push_back(disc);
+  }
+  CHECK(discs[0]->centre.y < discs[1]->centre.y);
+}
+
 TEST_CASE("a plane outside the domain is refused") {
   const Snapshot snapshot = testing::layered_packing(1);
   CHECK_THROWS_AS(slice_discs(snapshot, {2, 1.7}), InputError);
@@ -62,7 +160,12 @@ TEST_CASE("a plane is read from text") {
   CHECK(plane_from_text("z=0.1").axis == 2);
   CHECK(plane_from_text(" y = 290 mm").axis == 1);
   CHECK(plane_from_text("y = 290 mm").position == Approx(0.29));
-  for (const char* text : {"", "w=1", "z", "z=", "zz=1", "z=high", "z=1 s"})
+  const SlicePlane oblique = plane_from_text("through 100 mm,0.2,0.3 normal 0,3,4");
+  CHECK((oblique.normal - Vec3(0, 0.6, 0.8)).norm() < 1e-15);
+  CHECK(oblique.height(Vec3(7, 0.2, 0.3)) == Approx(0).margin(1e-15));
+  CHECK(oblique.right == Vec3::UnitX());
+  for (const char* text : {"", "w=1", "z", "z=", "zz=1", "z=high", "z=1 s", "through 1,2,3", "through 1,2 normal 0,0,1",
+                           "through 1,2,3 normal 0,0,0", "through 1,2,3 normal 0,0,1,1"})
     CHECK_THROWS_AS(plane_from_text(text), InputError);
 }
 
