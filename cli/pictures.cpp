@@ -2,6 +2,8 @@
 
 #include <cstdio>
 #include <limits>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,7 +28,9 @@ void add_picture_options(Verb& verb, PictureCall& call) {
 }
 
 void add_look_options(Verb& verb, PictureCall& call) {
-  verb.add("--color", call.color, "type, material, radius, speed, a field of the snapshot, or category:FIELD for whole numbers").shows_default();
+  verb.add("--color", call.color,
+           "type, material, radius, speed, a field of the snapshot, or category:FIELD for whole numbers")
+      .shows_default();
   verb.add("--range", call.range, "LOW:HIGH of the colour scale, SI");
   verb.add("--title", call.title, "Title [the run's]; - for none");
   verb.add("--supersampling", call.supersampling, "Every pixel is the mean of so many squared")
@@ -89,24 +93,23 @@ std::optional<std::pair<double, double>> colour_range(const std::string& text) {
                    parse_quantity(text.substr(colon + 1), unit::none)};
 }
 
-viz::PngText provenance(const RunReader& run, const Snapshot& snapshot, const std::string& recipe) {
-  return {{"Software", fmt::format("packstone {} (git {})", version(), git_revision())},
-          {"Source", fmt::format("{} t={:g} s", run.path().filename().string(), snapshot.time)},
-          {"Description", "scene hash " + snapshot.scene_hash},
-          {"Recipe", recipe}};
+Provenance::Provenance(const RunReader& run, std::size_t index, std::string recipe)
+    : name_(run.path().filename().string()), recipe_(std::move(recipe)), times_(run.times()) {
+  if (run.snapshot_files().at(index).extension() != ".vtkhdf") return;  // other programs' files have no hash
+  constexpr double nowhere = std::numeric_limits<double>::max();
+  const Region no_particles{Vec3::Constant(nowhere), Vec3::Constant(nowhere)};
+  scene_hash_ = run.snapshot(index, {.region = no_particles, .contacts = false, .fields = false}).scene_hash;
 }
 
-viz::PngText provenance(const RunReader& run, std::size_t index, const std::string& recipe) {
-  // Of other programs' files only the time is told.
-  Snapshot header;
-  header.time = run.times().at(index);
-  constexpr double nowhere = std::numeric_limits<double>::max();
-  if (run.snapshot_files().at(index).extension() == ".vtkhdf") {
-    header = run.snapshot(
-        index,
-        {.region = Region{Vec3::Constant(nowhere), Vec3::Constant(nowhere)}, .contacts = false, .fields = false});
-  }
-  return provenance(run, header, recipe);
+viz::PngText Provenance::at(std::size_t index) const {
+  return {{"Software", fmt::format("packstone {} (git {})", version(), git_revision())},
+          {"Source", fmt::format("{} t={:g} s", name_, times_.at(index))},
+          {"Description", "scene hash " + scene_hash_},
+          {"Recipe", recipe_}};
+}
+
+int worker_count(int asked_for) {
+  return asked_for > 0 ? asked_for : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::string picture_title(const RunReader& run, const std::string& given) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "cli/command_line.hpp"
 #include "core/run_folder.hpp"
@@ -73,10 +74,21 @@ viz::Ground ground_named(const std::string& name);
 /// "LOW:HIGH" in SI; nothing when empty. Throws InputError.
 std::optional<std::pair<double, double>> colour_range(const std::string& text);
 
-/// Where a picture comes from and how it was made, for the PNG's text chunks. recipe: a view file's text.
-viz::PngText provenance(const RunReader& run, const Snapshot& snapshot, const std::string& recipe);
-/// The same before the particles are read.
-viz::PngText provenance(const RunReader& run, std::size_t index, const std::string& recipe);
+/// Where pictures come from and how they were made, for a PNG's text chunks.
+class Provenance {
+ public:
+  /// index: of a snapshot that is read for the scene's hash. recipe: a view file's text.
+  Provenance(const RunReader& run, std::size_t index, std::string recipe);
+  /// Of a picture of a snapshot.
+  viz::PngText at(std::size_t index) const;
+
+ private:
+  std::string name_, scene_hash_, recipe_;
+  std::vector<double> times_;
+};
+
+/// Processes that share work where so many are asked for; 0: one a core.
+int worker_count(int asked_for);
 
 /// The given title, or the run's own.
 std::string picture_title(const RunReader& run, const std::string& given);

@@ -1,7 +1,6 @@
 // packstone render: pictures and films of a packing in space.
 
 #include <memory>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -56,10 +55,6 @@ ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& ove
   return {.region = {},
           .contacts = overlay.needs_contacts(),
           .fields = overlay.needs_fields() || viz::colour_needs_fields(picture.color)};
-}
-
-int worker_count(const RenderCall& call) {
-  return call.workers > 0 ? call.workers : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 namespace {

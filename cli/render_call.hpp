@@ -40,9 +40,6 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
 /// What of a snapshot a picture shows.
 ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay);
 
-/// Processes of this machine that share the work.
-int worker_count(const RenderCall& call);
-
 /// One picture, tile by tile, written in bands: its size is bounded by the disk, not by memory.
 void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ranks);
 

@@ -69,7 +69,7 @@ void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ra
   const OverlayMaker overlay(call.overlay, run, {index});
   std::optional<viz::PngWriter> file;
   if (ranks.first()) {
-    file.emplace(call.output, picture.width, picture.height, provenance(run, index, call.recipe));
+    file.emplace(call.output, picture.width, picture.height, Provenance(run, index, call.recipe).at(index));
   }
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
   std::size_t done = 0;
@@ -111,7 +111,7 @@ void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ra
                             done == tiling.tiles() ? renderer : "");
           },
       .while_waiting = stop_when_interrupted};
-  ranks.do_units(work, worker_count(call));
+  ranks.do_units(work, worker_count(call.workers));
   if (file) file->finish(with_renderer({}, renderer));
 }
 

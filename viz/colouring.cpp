@@ -115,6 +115,10 @@ Colouring colour_groups(const Snapshot& snapshot) {
 
 }  // namespace
 
+ValueRange united(const std::optional<ValueRange>& a, const ValueRange& b) {
+  return a ? ValueRange{std::min(a->first, b.first), std::max(a->second, b.second)} : b;
+}
+
 bool colours_categories(const std::string& name) {
   return name == "type" || name == "material" || name.starts_with(category_prefix);
 }

@@ -14,6 +14,9 @@ namespace packstone::viz {
 /// Lowest and highest value of a colour scale, SI.
 using ValueRange = std::pair<double, double>;
 
+/// Spans both; the second where there is no first.
+ValueRange united(const std::optional<ValueRange>& a, const ValueRange& b);
+
 struct LegendEntry {
   Colour colour;
   std::string name;

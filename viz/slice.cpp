@@ -24,18 +24,19 @@ std::vector<Vec3> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-[[noreturn]] void refuse_missing(const Domain& domain, const SlicePlane& plane) {
+}  // namespace
+
+void check_plane(const Domain& domain, const SlicePlane& plane) {
+  if (!section(domain, plane).empty()) return;
   if (!plane.axis) throw InputError(fmt::format("the plane, {}, misses the domain", plane_text(plane)));
   const int k = *plane.axis;
   throw InputError(fmt::format("the plane {} misses the domain, which spans {} to {}", plane_text(plane),
                                length_text(domain.min[k]), length_text(domain.max[k])));
 }
 
-}  // namespace
-
 std::vector<Disc> slice_discs(const Snapshot& snapshot, const SlicePlane& plane) {
+  check_plane(snapshot.domain, plane);
   const std::vector<InPlane> corners = section(snapshot.domain, plane);
-  if (corners.empty()) refuse_missing(snapshot.domain, plane);
   const std::vector<Vec3> shifts = image_shifts(snapshot.domain);
   std::vector<Disc> discs;
   for (std::size_t row = 0; row < snapshot.size(); ++row) {

@@ -17,6 +17,9 @@ struct Disc {
   std::size_t row = 0;  ///< of the particle in the snapshot
 };
 
+/// Throws InputError when the plane misses the domain.
+void check_plane(const Domain& domain, const SlicePlane& plane);
+
 /// All discs that reach into the domain, the periodic images included, so that the parts inside the domain add up to
 /// the area cut; across an axis exactly one image of each disc has its centre in the domain along the periodic axes.
 /// Throws InputError when the plane misses the domain.

@@ -220,8 +220,7 @@ std::vector<Colouring> colour_panels(const std::vector<SlicePanel>& panels, cons
   if (!range && panels.size() > 1 && !colours_categories(options.color)) {
     for (const SlicePanel& panel : panels) {
       const auto own = value_range(panel.snapshot, options.color);
-      if (own)
-        range = range ? std::pair{std::min(range->first, own->first), std::max(range->second, own->second)} : *own;
+      if (own) range = united(range, *own);
     }
     if (range && !(range->first < range->second)) range.reset();  // one value: each panel widens it in the same way
   }

@@ -165,7 +165,7 @@ TEST_CASE("what is drawn among the particles is the same from any workers, tiles
     }
   };
   for (const std::string options : {" --contacts", " --chains", " --arrows velocity --at 2",
-                                     " --trajectories random:5 --particles shrunk", " --contacts --arrows velocity"}) {
+                                    " --trajectories random:5 --particles shrunk", " --contacts --arrows velocity"}) {
     same(options, " --workers 1", " --workers 3 --tiles 4x3 --parts 8");
     CHECK((read_text_file(run.folder / "a.png") == read_text_file(run.folder / "b.png")));
   }
@@ -224,6 +224,39 @@ TEST_CASE("a wrong view file is refused with the place in it") {
   CHECK_THAT(refusal("preset = \"print\""), Contains("view.toml:1:1: preset print"));
   CHECK_THAT(refusal("[camera]\nzoom = 2"), Contains("view.toml:1:2: camera: expected"));
   CHECK_THAT(refusal("zoom = "), Contains("view.toml:1:") && Contains("not valid TOML"));
+}
+
+TEST_CASE("films of slices over planes and over time are the same from any workers, with one scale") {
+  const Run run;
+  const auto done = [](const std::string& call) {
+    const auto result = packstone_command(call);
+    INFO(call << "\n" << result.output);
+    REQUIRE(result.exit_code == 0);
+  };
+  const std::string look = " --size 320x240 --supersampling 1 --quiet --color speed";
+  const auto same_frames = [&](const std::string& options, const std::vector<std::string>& names) {
+    for (const char* workers : {"1", "2"}) {
+      const std::string out = (run.folder / ("w" + std::string(workers))).string();
+      std::filesystem::remove_all(out);
+      done("slice " + options + look + " --workers " + workers + " -o " + out);
+      const std::filesystem::directory_iterator files(out);
+      CHECK(static_cast<std::size_t>(std::distance(begin(files), end(files))) == names.size());
+    }
+    for (const std::string& name : names) {
+      CHECK((read_text_file(run.folder / "w1" / name) == read_text_file(run.folder / "w2" / name)));
+    }
+  };
+  same_frames(run.path + " --sweep \"z=5 mm:0.03:3\"", {"frame_000000.png", "frame_000001.png", "frame_000002.png"});
+  same_frames(run.path + " " + run.path + " --plane z=20mm --frames 1:3:2", {"frame_000001.png", "frame_000003.png"});
+  // A frame is the picture of its plane on the film's scale.
+  done("slice " + run.path + " --sweep z=0.02:0.021:2 --range 0:1 --workers 1" + look + run.out("planes"));
+  done("slice " + run.path + " --plane z=0.021 --range 0:1" + look.substr(0, look.find(" --quiet")) + " --color speed" +
+       run.out("plane.png"));
+  CHECK(pixels_of(run.folder.path() / "planes" / "frame_000001.png") == pixels_of(run.folder / "plane.png"));
+  done("slice " + run.path + " --sweep z=0.01:0.03:4" + look + run.out("sweep.mp4"));
+  CHECK(std::filesystem::file_size(run.folder / "sweep.mp4") > 1000);
+  done("slice " + run.path + " --plane \"through 20 mm,0.02,0.02 normal 1,1,0\"" + run.out("oblique.svg"));
+  CHECK_THAT(read_text_file(run.folder / "oblique.svg"), Contains("normal (0.707, 0.707, 0)") && Contains("<circle"));
 }
 
 TEST_CASE("a worker that is killed in the middle of a film leaves no trace in it") {
@@ -285,6 +318,19 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.png") + " --backend glx",
         "slice " + run.path + run.out("x.png") + " --plane w=1",
         "slice " + run.path + run.out("x.png") + " --plane z=9",
+        "slice " + run.path + run.out("x.png"),
+        "slice " + run.path + run.out("x.png") + " --plane z=20mm --sweep z=0:20mm:3",
+        "slice " + run.path + run.out("x.png") + " --sweep z=0:20mm:3",
+        "slice " + run.path + run.out("x.mp4") + " --plane z=20mm",
+        "slice " + run.path + run.out("x.mp4") + " --sweep z=0:20mm:1",
+        "slice " + run.path + run.out("x.mp4") + " --sweep z=0:20mm",
+        "slice " + run.path + run.out("x.mp4") + " --sweep z=0:9:5",
+        "slice " + run.path + run.out("x.mp4") + " --sweep z=0:20mm:3 --frames 0:2",
+        "slice " + run.path + run.out("x.mp4") + " --plane z=20mm --frames 0:99",
+        "slice " + run.path + run.out("x.mp4") + " --plane z=20mm --frames 0:2 --color sped",
+        "slice " + run.path + run.out("x.png") + " --plane \"through 0,0,0 normal 0,0,0\"",
+        "slice " + run.path + run.out("x.png") + " --plane \"through 9,9,9 normal 1,1,1\"",
+        "slice " + run.path + run.out("x.png") + " --plane z=20mm --color category:sped",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 5",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 11 --height-mm 11",
