@@ -31,6 +31,7 @@ struct SliceCall {
   std::string frames;
   int rate = 25;
   int columns = 0;
+  std::vector<std::string> titles;
   int workers = 0;
   bool quiet = false;
   FigureCall figure;
@@ -46,10 +47,18 @@ struct SliceFrame {
   viz::SlicePlane plane;
 };
 
-/// What a panel is called among others: the run's title, else the file's name.
-std::string panel_title(const RunReader& run) {
-  const std::string title = run.is_folder() ? run.record().title : "";
-  return title.empty() ? run.path().filename().string() : title;
+/// What panels are called: as asked for, else by the run's title or the file's name.
+std::vector<std::string> panel_titles(const SliceCall& call, const std::vector<RunReader>& runs) {
+  if (!call.titles.empty() && call.titles.size() != runs.size()) {
+    throw InputError(fmt::format("--titles: {} for {} panels", call.titles.size(), runs.size()));
+  }
+  if (!call.titles.empty()) return call.titles;
+  std::vector<std::string> titles;
+  for (const RunReader& run : runs) {
+    const std::string title = run.is_folder() ? run.record().title : "";
+    titles.push_back(title.empty() ? run.path().stem().string() : title);
+  }
+  return titles;
 }
 
 viz::SliceOptions slice_options(const SliceCall& call, const RunReader& run) {
@@ -120,7 +129,8 @@ std::vector<SliceFrame> frames_of(const SliceCall& call, const std::vector<RunRe
 /// The snapshots of a frame, kept while the next ones are of the same.
 class SliceSource {
  public:
-  SliceSource(const std::vector<RunReader>& runs, bool fields) : runs_(runs), fields_(fields) {}
+  SliceSource(const std::vector<RunReader>& runs, std::vector<std::string> titles, bool fields)
+      : runs_(runs), titles_(std::move(titles)), fields_(fields) {}
 
   std::vector<viz::SlicePanel> panels(const SliceFrame& frame) {
     if (frame.snapshots != read_) {
@@ -133,13 +143,14 @@ class SliceSource {
     }
     std::vector<viz::SlicePanel> panels;
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-      panels.push_back({snapshots_[k], frame.plane, panel_title(runs_[k])});
+      panels.push_back({snapshots_[k], frame.plane, titles_[k]});
     }
     return panels;
   }
 
  private:
   const std::vector<RunReader>& runs_;
+  std::vector<std::string> titles_;
   bool fields_;
   std::vector<std::size_t> read_;
   std::vector<Snapshot> snapshots_;
@@ -167,12 +178,13 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
                 viz::Ranks& ranks) {
   viz::SliceOptions options = slice_options(call, runs.front());
   const bool fields = viz::colour_needs_fields(options.color);
-  SliceSource source(runs, fields);
+  const std::vector<std::string> titles = panel_titles(call, runs);
+  SliceSource source(runs, titles, fields);
   prepare_film(options, source, frames);
   const viz::Ground ground = ground_named(call.figure.ground);
   const Provenance provenance(runs.front(), frames.front().snapshots.front(), call.recipe);
   const auto prepare = [&] {
-    const auto own = std::make_shared<SliceSource>(runs, fields);
+    const auto own = std::make_shared<SliceSource>(runs, titles, fields);
     return [&, own](std::size_t k) {
       const viz::Drawing drawing = viz::slice_drawing(own->panels(frames[k]), options);
       return viz::draw_image(viz::themed(drawing, ground), options.supersampling);
@@ -197,7 +209,7 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
 
 void slice_figure(const SliceCall& call, const std::vector<RunReader>& runs, const SliceFrame& frame) {
   const viz::SliceOptions options = slice_options(call, runs.front());
-  SliceSource source(runs, viz::colour_needs_fields(options.color));
+  SliceSource source(runs, panel_titles(call, runs), viz::colour_needs_fields(options.color));
   const std::size_t index = frame.snapshots.front();
   save_figure(call.output, viz::slice_drawing(source.panels(frame), options), call.figure, options.supersampling,
               options.title, Provenance(runs.front(), index, call.recipe).at(index));
@@ -242,6 +254,7 @@ void add_slice(Program& program) {
   verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
   verb.add("--frames", call->frames, "A film over time: FIRST:LAST:STRIDE, : for all");
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
+  verb.add("--titles", call->titles, "Of the panels, by comma [the runs']").by_comma();
   verb.add("--columns", call->columns, "Panels side by side [up to three]").between(1, most_columns);
   add_figure_options(verb, call->figure);
   add_look_options(verb, call->picture);

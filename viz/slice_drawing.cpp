@@ -74,8 +74,12 @@ class SideColumn {
     const double time = first.snapshot.time;
     if (options.time && all([&](const SlicePanel& p) { return p.snapshot.time == time; })) {
       lines_.push_back(time_text(time));
+      tells_time_ = true;
     }
   }
+
+  /// That of all panels.
+  bool tells_time() const { return tells_time_; }
 
   double width() const {
     double width = std::max(scale_bar_room * font_, text_width("t = 0000.000 ms", font_));
@@ -100,6 +104,7 @@ class SideColumn {
   ColourKey key_;
   double font_;
   bool legend_;
+  bool tells_time_ = false;
   std::vector<std::string> lines_;
 };
 
@@ -214,6 +219,13 @@ void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent,
   draw_axes(drawing, frame);
 }
 
+/// "(b) title"
+std::string lettered(std::size_t panel, const std::string& title) {
+  constexpr std::size_t letters = 26;
+  const std::string letter = fmt::format("({})", static_cast<char>('a' + panel % letters));
+  return title.empty() ? letter : letter + " " + title;
+}
+
 /// The colours of all panels on one scale.
 std::vector<Colouring> colour_panels(const std::vector<SlicePanel>& panels, const SliceOptions& options) {
   std::optional<ValueRange> range = options.range;
@@ -244,13 +256,11 @@ Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions&
   for (std::size_t k = 0; k < panels.size(); ++k) {
     draw_panel(drawing, panels[k], extents[k], layout.frames[k], colourings[k], layout.metres_per_pixel);
     if (panels.size() == 1) continue;
-    const std::string letter(1, static_cast<char>('a' + k % 26));
-    const Box& box = layout.frames[k].box;
     constexpr double above = 0.6;
-    drawing.text(
-        {box.left, box.top - above * font},
-        panels[k].title.empty() ? fmt::format("({})", letter) : fmt::format("({}) {}", letter, panels[k].title),
-        {.size = font});
+    const Box& box = layout.frames[k].box;
+    std::string heading = lettered(k, panels[k].title);
+    if (options.time && !column.tells_time()) heading += ", " + time_text(panels[k].snapshot.time);
+    drawing.text({box.left, box.top - above * font}, heading, {.size = font});
   }
   column.draw(drawing, layout.column, layout.metres_per_pixel);
   return drawing;
