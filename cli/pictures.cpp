@@ -112,9 +112,23 @@ int worker_count(int asked_for) {
   return asked_for > 0 ? asked_for : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-std::string picture_title(const RunReader& run, const std::string& given) {
+std::string figure_title(const std::vector<RunReader>& runs, const std::string& given) {
   if (given == "-") return "";
-  return given.empty() && run.is_folder() ? run.record().title : given;
+  if (!given.empty() || runs.size() > 1) return given;
+  return runs.front().is_folder() ? runs.front().record().title : "";
+}
+
+std::vector<std::string> panel_titles(const std::vector<std::string>& given, const std::vector<RunReader>& runs) {
+  if (!given.empty() && given.size() != runs.size()) {
+    throw InputError(fmt::format("--titles: {} for {} panels", given.size(), runs.size()));
+  }
+  if (!given.empty()) return given;
+  std::vector<std::string> titles;
+  for (const RunReader& run : runs) {
+    const std::string title = run.is_folder() ? run.record().title : "";
+    titles.push_back(title.empty() ? run.path().stem().string() : title);
+  }
+  return titles;
 }
 
 }  // namespace packstone::cli

@@ -90,7 +90,10 @@ class Provenance {
 /// Processes that share work where so many are asked for; 0: one a core.
 int worker_count(int asked_for);
 
-/// The given title, or the run's own.
-std::string picture_title(const RunReader& run, const std::string& given);
+/// The given title, or that of the run; of several each panel has its own.
+std::string figure_title(const std::vector<RunReader>& runs, const std::string& given);
+
+/// What panels are called: as given, else by the run's title or the file's name. Throws InputError for another number.
+std::vector<std::string> panel_titles(const std::vector<std::string>& given, const std::vector<RunReader>& runs);
 
 }  // namespace packstone::cli

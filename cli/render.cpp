@@ -32,7 +32,7 @@ Vec3 place_from_text(const std::string& text) {
 
 }  // namespace
 
-viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run) {
+viz::PictureOptions picture_options(const RenderCall& call, const std::vector<RunReader>& runs) {
   viz::PictureOptions picture;
   std::tie(picture.width, picture.height) = picture_size(call.picture.size);
   picture.supersampling = call.picture.supersampling;
@@ -41,7 +41,10 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   picture.view = viz::viewpoint_from_text(call.camera);
   picture.view.zoom = call.zoom;
   if (!call.focus.empty()) picture.view.focus = place_from_text(call.focus);
-  picture.title = picture_title(run, call.picture.title);
+  picture.title = figure_title(runs, call.picture.title);
+  if (runs.size() > 1 && !picture.title.empty()) {
+    throw InputError(fmt::format("--title {}: of several panels each has its title, --titles", picture.title));
+  }
   picture.font_scale = call.font_scale;
   picture.ground = ground_named(call.picture.ground);
   picture.occlusion = call.occlusion;
@@ -51,16 +54,9 @@ viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run
   return picture;
 }
 
-ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay) {
-  return {.region = {},
-          .contacts = overlay.needs_contacts(),
-          .fields = overlay.needs_fields() || viz::colour_needs_fields(picture.color)};
-}
-
 namespace {
 
 void render(const RenderCall& call, viz::Ranks& ranks) {
-  const RunReader run(call.path);
   const std::string extension = call.output.extension().string();
   catch_interrupts();
   viz::use_backend(viz::backend_named(call.backend));
@@ -68,11 +64,11 @@ void render(const RenderCall& call, viz::Ranks& ranks) {
     if (!call.frames.empty()) {
       throw InputError("--frames makes a film or a folder of pictures; name x.mp4, x.gif or a folder with -o");
     }
-    render_picture(call, run, ranks);
+    render_picture(call, ranks);
   } else if (extension == ".mp4" || extension == ".gif" || extension.empty()) {
     if (!call.tiles.empty())
       throw InputError("--tiles divides one picture; films and folders are shared out by frames");
-    render_film(call, run, ranks);
+    render_film(call, ranks);
   } else {
     throw InputError(fmt::format("{}: a picture is written as .png, a film as .mp4 or .gif, frames into a folder",
                                  call.output.string()));
@@ -82,11 +78,11 @@ void render(const RenderCall& call, viz::Ranks& ranks) {
 }  // namespace
 
 void add_render(Program& program) {
-  constexpr int most_workers = 1024, most_parts = 1000;
+  constexpr int most_workers = 1024, most_parts = 1000, most_columns = 100;
   constexpr double smallest_zoom = 0.01, largest_zoom = 1e4;
   auto call = std::make_shared<RenderCall>();
   Verb verb = program.add_verb(render_verb.name, render_verb.description);
-  verb.add("path", call->path, "Run folder, snapshot, or a file of another program").required();
+  verb.add("paths", call->paths, "Run folders, snapshots, or files of other programs; a panel for each").required();
   verb.add("-o,--output", call->output, "x.png, x.mp4, x.gif, or a folder for frames").required().of_call();
   verb.add_view_options();
   verb.add("--camera", call->camera, "iso, front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees")
@@ -98,6 +94,8 @@ void add_render(Program& program) {
   verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
   add_picture_options(verb, call->picture);
+  verb.add("--titles", call->titles, "Of the panels, by comma [the runs']").by_comma();
+  verb.add("--columns", call->columns, "Panels side by side [up to three]").between(1, most_columns);
   add_overlay_options(verb, call->overlay);
   verb.add("--cut", call->cut, "Leave out what has its middle where all of these hold: x>0.3 or \"x>300 mm,y<0.2\"");
   verb.add("--occlusion", call->occlusion, "How dark hollows between particles are drawn, 0 to 1")

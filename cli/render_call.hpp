@@ -13,7 +13,9 @@
 namespace packstone::cli {
 
 struct RenderCall {
-  std::filesystem::path path;
+  std::vector<std::filesystem::path> paths;
+  std::vector<std::string> titles;  ///< of panels
+  int columns = 0;
   std::filesystem::path output;
   PictureCall picture;
   OverlayCall overlay;
@@ -35,15 +37,12 @@ struct RenderCall {
 };
 
 /// Throws InputError.
-viz::PictureOptions picture_options(const RenderCall& call, const RunReader& run);
-
-/// What of a snapshot a picture shows.
-ReadOptions read_for(const viz::PictureOptions& picture, const OverlayMaker& overlay);
+viz::PictureOptions picture_options(const RenderCall& call, const std::vector<RunReader>& runs);
 
 /// One picture, tile by tile, written in bands: its size is bounded by the disk, not by memory.
-void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ranks);
+void render_picture(const RenderCall& call, viz::Ranks& ranks);
 
 /// A film, or frames into a folder.
-void render_film(const RenderCall& call, const RunReader& run, viz::Ranks& ranks);
+void render_film(const RenderCall& call, viz::Ranks& ranks);
 
 }  // namespace packstone::cli

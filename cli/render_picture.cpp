@@ -11,7 +11,7 @@
 #include "cli/drawn_by.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
-#include "cli/render_call.hpp"
+#include "cli/render_source.hpp"
 #include "core/error.hpp"
 #include "viz/png.hpp"
 
@@ -61,15 +61,17 @@ Tiling tiling_of(const RenderCall& call, const viz::PictureOptions& picture) {
 
 }  // namespace
 
-void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ranks) {
-  const viz::PictureOptions picture = picture_options(call, run);
+void render_picture(const RenderCall& call, viz::Ranks& ranks) {
+  const RenderSource source(call, call.at, "");
+  viz::PictureOptions picture = picture_options(call, source.runs());
   viz::check_picture(picture);
+  source.fix_scales(picture);
   const Tiling tiling = tiling_of(call, picture);
-  const std::size_t index = run.index_at(call.at);
-  const OverlayMaker overlay(call.overlay, run, {index});
+  const std::size_t index = source.snapshot_of(0);
   std::optional<viz::PngWriter> file;
   if (ranks.first()) {
-    file.emplace(call.output, picture.width, picture.height, Provenance(run, index, call.recipe).at(index));
+    file.emplace(call.output, picture.width, picture.height,
+                 Provenance(source.runs().front(), index, call.recipe).at(index));
   }
   Progress progress("tiles", call.quiet || tiling.tiles() == 1);
   std::size_t done = 0;
@@ -82,13 +84,12 @@ void render_picture(const RenderCall& call, const RunReader& run, viz::Ranks& ra
   const viz::WorkInUnits work{
       .count = tiling.tiles(),
       .unit_name = "tile",
-      .subject = run.snapshot_files().at(index).filename().string(),
+      .subject = source.subject(),
       .result_bytes = pixel_bytes + drawn_by_bytes,
       .prepare =
           [&] {
-            const auto painter = std::make_shared<viz::ParticlePainter>(picture);
-            const Snapshot snapshot = run.snapshot(index, read_for(picture, overlay));
-            painter->show(snapshot, overlay.of(snapshot, index));
+            const auto painter = std::make_shared<viz::PanelPainter>(picture, source.titles(), call.columns);
+            painter->show(source.read(0, picture).contents);
             return [painter, pixel_bytes, &tiling](std::size_t tile, std::uint8_t* result) {
               const viz::Image image = painter->part(tiling.tile(tile));
               std::copy(image.rgb.begin(), image.rgb.end(), result);

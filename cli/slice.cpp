@@ -47,28 +47,13 @@ struct SliceFrame {
   viz::SlicePlane plane;
 };
 
-/// What panels are called: as asked for, else by the run's title or the file's name.
-std::vector<std::string> panel_titles(const SliceCall& call, const std::vector<RunReader>& runs) {
-  if (!call.titles.empty() && call.titles.size() != runs.size()) {
-    throw InputError(fmt::format("--titles: {} for {} panels", call.titles.size(), runs.size()));
-  }
-  if (!call.titles.empty()) return call.titles;
-  std::vector<std::string> titles;
-  for (const RunReader& run : runs) {
-    const std::string title = run.is_folder() ? run.record().title : "";
-    titles.push_back(title.empty() ? run.path().stem().string() : title);
-  }
-  return titles;
-}
-
-viz::SliceOptions slice_options(const SliceCall& call, const RunReader& run) {
+viz::SliceOptions slice_options(const SliceCall& call, const std::vector<RunReader>& runs) {
   viz::SliceOptions options;
   options.supersampling = call.picture.supersampling;
   take_size(call.figure, options);
   options.color = call.picture.color;
   options.range = colour_range(call.picture.range);
-  const bool panels = call.paths.size() > 1 && call.picture.title.empty();  // each has its own
-  options.title = panels ? "" : picture_title(run, call.picture.title);
+  options.title = figure_title(runs, call.picture.title);
   options.columns = call.columns;
   return options;
 }
@@ -176,9 +161,9 @@ void prepare_film(viz::SliceOptions& options, SliceSource& source, const std::ve
 
 void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const std::vector<SliceFrame>& frames,
                 viz::Ranks& ranks) {
-  viz::SliceOptions options = slice_options(call, runs.front());
+  viz::SliceOptions options = slice_options(call, runs);
   const bool fields = viz::colour_needs_fields(options.color);
-  const std::vector<std::string> titles = panel_titles(call, runs);
+  const std::vector<std::string> titles = panel_titles(call.titles, runs);
   SliceSource source(runs, titles, fields);
   prepare_film(options, source, frames);
   const viz::Ground ground = ground_named(call.figure.ground);
@@ -208,8 +193,8 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
 }
 
 void slice_figure(const SliceCall& call, const std::vector<RunReader>& runs, const SliceFrame& frame) {
-  const viz::SliceOptions options = slice_options(call, runs.front());
-  SliceSource source(runs, panel_titles(call, runs), viz::colour_needs_fields(options.color));
+  const viz::SliceOptions options = slice_options(call, runs);
+  SliceSource source(runs, panel_titles(call.titles, runs), viz::colour_needs_fields(options.color));
   const std::size_t index = frame.snapshots.front();
   save_figure(call.output, viz::slice_drawing(source.panels(frame), options), call.figure, options.supersampling,
               options.title, Provenance(runs.front(), index, call.recipe).at(index));

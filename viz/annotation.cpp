@@ -52,6 +52,10 @@ Box extent(const Camera& camera, const Vec3& min, const Vec3& max) {
   return box;
 }
 
+bool has_edge_lengths(const PictureOptions& options) {
+  return options.scale && options.view.perspective() && !options.view.close();
+}
+
 /// Length of the domain's edge along an axis, as text.
 std::string edge_text(const UnitSpace& space, int axis) {
   return length_text((space.max[axis] - space.min[axis]) / space.scale);
@@ -156,6 +160,32 @@ double draw_lower_column(Annotation& annotation, const PictureOptions& options, 
   return y;
 }
 
+/// The box that just fits into the picture, in unit space.
+struct Fitted {
+  Vec3 min, max;
+
+  Fitted(const PictureOptions& options, const UnitSpace& space) : min(space.min), max(space.max) {
+    double room = sphere_room;
+    if (options.fit) {
+      const Vec3 size = *options.fit * space.scale;
+      const Vec3 middle(0, 0, space.min.z() + size.z() / 2);
+      min = middle - size / 2;
+      max = middle + size / 2;
+      room *= size.maxCoeff();
+    }
+    min.array() -= room;
+    max.array() += room;
+  }
+};
+
+/// Smaller where it would not fit.
+void draw_title(Drawing& drawing, const std::string& title, double font) {
+  const double usual = title_size * font, width = text_width(title, usual, true);
+  const double size = usual * std::min(1.0, (drawing.width - 2 * margin * font) / std::max(width, 1.0));
+  drawing.text({drawing.width / 2.0, margin * font}, title,
+               {.size = size, .across = Side::middle, .along = Side::high, .bold = true});
+}
+
 /// The legends share the room, each a part of what is left.
 void draw_legends(Drawing& drawing, Box room, const ColourKeys& keys, double font) {
   for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -174,20 +204,26 @@ UnitSpace::UnitSpace(const Domain& domain)
       min((domain.min - centre) * scale),
       max((domain.max - centre) * scale) {}
 
+double room_beside(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys) {
+  const double font = font_size(options.width, options.height) * options.font_scale;
+  const double width = column_width(options, keys, font);
+  if (width > 0) return width + column_gap * font;
+  return has_edge_lengths(options) ? text_width(edge_text(space, 1), font) : 0;
+}
+
 Layout lay_out(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys) {
   const double font = font_size(options.width, options.height) * options.font_scale;
   const double edge = margin * font;
   const double column = column_width(options, keys, font);
-  const bool edge_lengths = options.scale && options.view.perspective() && !options.view.close();
   Box region{edge, edge, options.width - edge, options.height - edge};
   if (!options.title.empty()) region.top += title_room * font;
-  if (column > 0) region.right -= column + column_gap * font;
-  if (edge_lengths) {
+  region.right -= room_beside(options, space, keys);
+  if (has_edge_lengths(options)) {
     region.left += text_width(edge_text(space, 2), font);
     region.bottom -= font;
   }
-  const Vec3 room = Vec3::Constant(sphere_room);
-  Camera camera(options.view, space.min - room, space.max + room, region);
+  const Fitted fitted(options, space);
+  Camera camera(options.view, fitted.min, fitted.max, region);
   std::optional<PixelWindow> frame;
   if (options.view.close()) {
     std::optional<Vec3> focus = options.view.focus;
@@ -197,7 +233,7 @@ Layout lay_out(const PictureOptions& options, const UnitSpace& space, const Colo
     frame = PixelWindow{left, top, static_cast<int>(region.right) - left, static_cast<int>(region.bottom) - top};
   }
   // Box and column stand together in the middle of the picture.
-  const Box content = frame ? region : extent(camera, space.min - room, space.max + room);
+  const Box content = frame ? region : extent(camera, fitted.min, fitted.max);
   const double shift = (region.left + region.right - content.left - content.right) / 2;
   camera.move_right(shift);
   const double left = content.right + shift + (column > 0 ? column_gap * font : 0);
@@ -214,9 +250,8 @@ Annotation annotate(const PictureOptions& options, const UnitSpace& space, const
   const Drawing empty{options.width, options.height, {}};
   Annotation annotation{empty, empty, {}};
   Drawing& drawing = annotation.still;
-  drawing.text({options.width / 2.0, margin * layout.font}, options.title,
-               {.size = title_size * layout.font, .across = Side::middle, .along = Side::high, .bold = true});
-  if (options.scale && !layout.camera.parallel() && !layout.frame) draw_edge_lengths(drawing, space, layout);
+  draw_title(drawing, options.title, layout.font);
+  if (has_edge_lengths(options)) draw_edge_lengths(drawing, space, layout);
   if (layout.frame) {
     const PixelWindow& frame = *layout.frame;
     drawing.rectangle({static_cast<double>(frame.left), static_cast<double>(frame.top),

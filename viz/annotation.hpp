@@ -33,6 +33,9 @@ struct Layout {
 /// What the colours of a picture mean, from the top of its column; none where the legend is not wanted.
 using ColourKeys = std::vector<ColourKey>;
 
+/// Room to the right of what is seen, for the column of legend, time and scale, else for the length of an edge [px].
+double room_beside(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys);
+
 Layout lay_out(const PictureOptions& options, const UnitSpace& space, const ColourKeys& keys);
 
 /// All that stands beside the particles, of the size of the picture.

@@ -29,6 +29,15 @@ namespace {
 constexpr int largest_side = 32768;  // [px]
 constexpr int largest_tile = 1024;   // [samples] a side: its memory stays below 20 MB
 
+ColourKeys keys_of(const PictureOptions& options, const Colouring& colouring, const Overlay& drawn_among,
+                   const OverlayBodies& overlay) {
+  if (!options.legend) return {};
+  ColourKeys keys;
+  if (!colouring.empty() && (options.shown != Shown::hidden || !drawn_among.paths.empty())) keys.push_back(colouring);
+  keys.insert(keys.end(), overlay.keys.begin(), overlay.keys.end());
+  return keys;
+}
+
 /// What a snapshot looks like from a camera.
 struct Frame {
   UnitSpace space;
@@ -76,15 +85,6 @@ struct Frame {
 
  private:
   static std::uint32_t number(std::size_t row) { return static_cast<std::uint32_t>(row); }
-
-  static ColourKeys keys_of(const PictureOptions& options, const Colouring& colouring, const Overlay& drawn_among,
-                            const OverlayBodies& overlay) {
-    if (!options.legend) return {};
-    ColourKeys keys;
-    if (!colouring.empty() && (options.shown != Shown::hidden || !drawn_among.paths.empty())) keys.push_back(colouring);
-    keys.insert(keys.end(), overlay.keys.begin(), overlay.keys.end());
-    return keys;
-  }
 
   /// All particles but those with a path.
   void shrink(const Snapshot& snapshot, const Overlay& drawn_among, double share) {
@@ -212,6 +212,13 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   if (!std::isfinite(distance)) return std::nullopt;
   const Vec3 point = frame.camera.point_at({sample.left + 0.5, sample.top + 0.5}, distance);
   return point / frame.space.scale + frame.space.centre;
+}
+
+double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Overlay& overlay) {
+  const UnitSpace space(snapshot.domain);
+  const Colouring colouring = colour_particles(snapshot, options.color, options.range);
+  const OverlayBodies bodies(overlay, snapshot, space, colouring, options);
+  return room_beside(options, space, keys_of(options, colouring, overlay, bodies));
 }
 
 Image draw_particles(const Snapshot& snapshot, const PictureOptions& options) {

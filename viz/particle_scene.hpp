@@ -34,6 +34,8 @@ struct PictureOptions {
   std::string color = "type";       ///< see colour_names()
   std::optional<ValueRange> range;  ///< of the colour scale, SI; for movies, as the default is each frame's own
   Viewpoint view;
+  std::optional<Vec3>
+      fit;  ///< size of what fits into the picture, standing on the domain's floor [m]; the domain's own
   std::string title;
   double font_scale = 1;  ///< of all letters and lines, over their usual size
   Ground ground = Ground::white;
@@ -76,6 +78,9 @@ class ParticlePainter {
   PictureOptions options_;
   std::unique_ptr<Stage> stage_;
 };
+
+/// Room that legend, time, scale bar and directions, or the length of an edge, take to the right of what is seen [px].
+double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Overlay& overlay);
 
 /// One picture.
 Image draw_particles(const Snapshot& snapshot, const PictureOptions& options);

@@ -11,6 +11,7 @@
 #include "viz/drawing_painter.hpp"
 #include "viz/font.hpp"
 #include "viz/legend.hpp"
+#include "viz/panel_painter.hpp"
 #include "viz/plot_frame.hpp"
 #include "viz/quantity.hpp"
 
@@ -108,12 +109,6 @@ class SideColumn {
   std::vector<std::string> lines_;
 };
 
-int columns_of(const SliceOptions& options, std::size_t panels) {
-  constexpr std::size_t most_in_a_row = 3;
-  if (options.columns > 0) return std::min(options.columns, static_cast<int>(panels));
-  return static_cast<int>(panels <= most_in_a_row ? panels : std::ceil(std::sqrt(static_cast<double>(panels))));
-}
-
 /// The panels' places: the largest of one scale that fit, in the middle together with the column.
 struct SliceLayout {
   std::vector<PlotFrame> frames;
@@ -134,7 +129,7 @@ PlotFrame axes_of(const SlicePanel& panel, const Extent& extent, double unit, co
 
 SliceLayout lay_out_panels(const std::vector<SlicePanel>& panels, const std::vector<Extent>& extents,
                            const SliceOptions& options, double column, double font) {
-  const int columns = columns_of(options, panels.size());
+  const int columns = panel_columns(options.columns, panels.size());
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
   const double edge = options.margin * font, gap = panel_gap * font;
   const double top = edge + (options.title.empty() ? 0 : title_room * font);
@@ -217,13 +212,6 @@ void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent,
   drawing.end_clip();
   if (!panel.plane.axis) drawing.polygon(outline, std::nullopt, Stroke{wall_edge, outline_weight * frame.font, {}});
   draw_axes(drawing, frame);
-}
-
-/// "(b) title"
-std::string lettered(std::size_t panel, const std::string& title) {
-  constexpr std::size_t letters = 26;
-  const std::string letter = fmt::format("({})", static_cast<char>('a' + panel % letters));
-  return title.empty() ? letter : letter + " " + title;
 }
 
 /// The colours of all panels on one scale.

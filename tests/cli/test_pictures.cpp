@@ -155,7 +155,7 @@ TEST_CASE("the colours of a film span all frames, also where the first is empty"
 
 TEST_CASE("what is drawn among the particles is the same from any workers, tiles and parts") {
   const Run run;
-  const std::string call = "render " + run.path + " --size 320x240 --quiet --occlusion 0.5 --title T";
+  const std::string call = "render " + run.path + " --size 320x240 --quiet --occlusion 0.5";
   const auto same = [&](const std::string& options, const std::string& a, const std::string& b) {
     for (const auto& [file, shared] : {std::pair<std::string, std::string>{"a", a}, {"b", b}}) {
       const bool film = options.find("--frames") != std::string::npos;
@@ -170,6 +170,8 @@ TEST_CASE("what is drawn among the particles is the same from any workers, tiles
     CHECK((read_text_file(run.folder / "a.png") == read_text_file(run.folder / "b.png")));
   }
   // Scales are those of all frames, whoever draws them.
+  same(" " + run.path + " --titles one,two --contacts --color speed", " --workers 1", " --workers 2 --tiles 3x3");
+  CHECK((read_text_file(run.folder / "a.png") == read_text_file(run.folder / "b.png")));
   same(" --frames 1:3 --contacts --arrows velocity", " --workers 1", " --workers 2");
   for (const char* name : {"frame_000001.png", "frame_000002.png", "frame_000003.png"}) {
     CHECK((read_text_file(run.folder.path() / "a" / name) == read_text_file(run.folder.path() / "b" / name)));
@@ -316,7 +318,11 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.png") + " --preset print",
         "render " + run.path + run.out("x.png") + " --view /no/such/view.toml",
         "render " + run.path + run.out("x.png") + " --backend glx",
+        "render " + run.path + " " + run.path + run.out("x.png") + " --title both",
+        "render " + run.path + " " + run.path + run.out("x.png") + " --titles one",
+        "render " + run.path + " /no/such/run" + run.out("x.png"),
         "slice " + run.path + run.out("x.png") + " --plane w=1",
+        "slice " + run.path + run.out("x.png") + " --plane z=20mm --titles a,b",
         "slice " + run.path + run.out("x.png") + " --plane z=9",
         "slice " + run.path + run.out("x.png"),
         "slice " + run.path + run.out("x.png") + " --plane z=20mm --sweep z=0:20mm:3",

@@ -1,0 +1,107 @@
+#include "viz/panel_painter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "viz/quantity.hpp"
+
+namespace packstone::viz {
+
+struct PanelPainter::Panel {
+  PixelWindow window;  // of the picture
+  std::unique_ptr<ParticlePainter> painter;
+};
+
+int panel_columns(int asked_for, std::size_t panels) {
+  constexpr std::size_t most_in_a_row = 3;
+  if (asked_for > 0) return std::min(asked_for, static_cast<int>(panels));
+  return static_cast<int>(panels <= most_in_a_row ? panels : std::ceil(std::sqrt(static_cast<double>(panels))));
+}
+
+std::string lettered(std::size_t panel, const std::string& title) {
+  constexpr std::size_t letters = 26;
+  const std::string letter = fmt::format("({})", static_cast<char>('a' + panel % letters));
+  return title.empty() ? letter : letter + " " + title;
+}
+
+PanelPainter::PanelPainter(const PictureOptions& options, std::vector<std::string> titles, int columns)
+    : options_(options), titles_(std::move(titles)), columns_(panel_columns(columns, titles_.size())) {
+  check_picture(options_);
+  if (titles_.size() == 1) {
+    panels_.push_back({{0, 0, options_.width, options_.height}, std::make_unique<ParticlePainter>(options_)});
+  }
+}
+
+PanelPainter::~PanelPainter() = default;
+
+// The last panel of the first row has the legend and what stands below it, and is as much wider than the others.
+void PanelPainter::lay_out(const std::vector<PanelContent>& contents) {
+  const int count = static_cast<int>(titles_.size()), rows = (count + columns_ - 1) / columns_;
+  const double font = font_size(options_.width, options_.height), time = contents.front().snapshot.time;
+  times_differ_ = std::any_of(contents.begin(), contents.end(),
+                              [&](const PanelContent& content) { return content.snapshot.time != time; });
+  PictureOptions common = options_;
+  common.fit = Vec3::Zero();
+  for (const PanelContent& content : contents) common.fit = common.fit->cwiseMax(content.snapshot.domain.size());
+  common.height = options_.height / rows;
+  common.time = options_.time && !times_differ_;
+  PictureOptions plain = common;
+  plain.legend = plain.axes = plain.time = false;
+  plain.scale = plain.scale && plain.view.perspective();
+  const auto room = [&](PictureOptions own) {
+    own.font_scale *= font / font_size(own.width, own.height);
+    return static_cast<int>(std::ceil(room_beside(own, contents.front().snapshot, contents.front().overlay)));
+  };
+  const int with_legend = room(common), without = room(plain);
+  const int seen = (options_.width - with_legend - (columns_ - 1) * without) / columns_;
+  if (seen < 1 || common.height < 1) {
+    throw InputError(fmt::format("{} panels have no room in {} x {} px", count, options_.width, options_.height));
+  }
+  panels_.clear();
+  for (int k = 0; k < count; ++k) {
+    const auto panel = static_cast<std::size_t>(k);
+    PictureOptions own = k == columns_ - 1 ? common : plain;
+    own.width = seen + (k == columns_ - 1 ? with_legend : without);
+    own.font_scale = options_.font_scale * font / font_size(own.width, own.height);
+    own.title = lettered(panel, titles_[panel]);
+    if (options_.time && times_differ_) own.title += ", " + time_text(contents[panel].snapshot.time);
+    const PixelWindow window{k % columns_ * (seen + without), k / columns_ * common.height, own.width, own.height};
+    panels_.push_back({window, std::make_unique<ParticlePainter>(own)});
+  }
+}
+
+void PanelPainter::show(const std::vector<PanelContent>& contents) {
+  if (titles_.size() > 1 && (panels_.empty() || times_differ_)) lay_out(contents);  // titles tell the times
+  for (std::size_t k = 0; k < panels_.size(); ++k) {
+    panels_[k].painter->show(contents[k].snapshot, contents[k].overlay);
+  }
+}
+
+Image PanelPainter::part(const PixelWindow& window) {
+  if (panels_.size() == 1) return panels_.front().painter->part(window);
+  const Colour ground = themed(paper, options_.ground);
+  Image image{window.width, window.height, std::vector<std::uint8_t>(window.pixels() * 3)};
+  for (std::size_t k = 0; k < image.rgb.size(); k += 3) {
+    image.rgb[k] = ground.r;
+    image.rgb[k + 1] = ground.g;
+    image.rgb[k + 2] = ground.b;
+  }
+  for (const Panel& panel : panels_) {
+    const PixelWindow common = window.common(panel.window);
+    if (common.empty()) continue;
+    const PixelWindow own{common.left - panel.window.left, common.top - panel.window.top, common.width, common.height};
+    place(image, panel.painter->part(own), common.left - window.left, common.top - window.top);
+  }
+  return image;
+}
+
+Image PanelPainter::paint(const std::vector<PanelContent>& contents) {
+  show(contents);
+  return part({0, 0, options_.width, options_.height});
+}
+
+}  // namespace packstone::viz
