@@ -31,6 +31,8 @@ class OverlayMaker {
   /// Reads the paths that end in the frames, ascending snapshots. Throws InputError.
   OverlayMaker(const OverlayCall& call, const RunReader& run, const std::vector<std::size_t>& frames);
 
+  /// Whether there is anything to draw among the particles.
+  bool draws() const { return needs_contacts() || needs_fields() || !call_.trajectories.empty(); }
   bool needs_contacts() const { return call_.contacts || call_.chains; }
   bool needs_fields() const { return !call_.arrows.empty(); }
   /// Whether sizes depend on other frames than their own.

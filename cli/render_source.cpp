@@ -27,9 +27,21 @@ std::string RenderSource::subject() const {
 }
 
 ReadOptions RenderSource::read_for(std::size_t run, const viz::PictureOptions& picture) const {
-  return {.region = {},
-          .contacts = overlays_[run].needs_contacts(),
-          .fields = overlays_[run].needs_fields() || viz::colour_needs_fields(picture.color)};
+  const OverlayMaker& overlay = overlays_[run];
+  const bool by_field = viz::colour_needs_fields(picture.color), among = overlay.draws();
+  ReadOptions read{.region = {},
+                   .contacts = overlay.needs_contacts(),
+                   .fields = overlay.needs_fields() || by_field,
+                   .ids = among,
+                   .types = among || picture.color == "type",
+                   .materials = picture.color == "material"};
+  if (by_field && !overlay.needs_fields()) read.field = viz::coloured_field(picture.color);
+  // A scale of its own and what is drawn among the particles depend on those cut away, too.
+  const bool own_scale = !picture.range && !viz::colours_categories(picture.color);
+  if (!picture.cut.empty() && !own_scale && !among) {
+    read.wants_chunk = [cut = picture.cut](const Region& box) { return !viz::is_cut_away(cut, box); };
+  }
+  return read;
 }
 
 void RenderSource::fix_scales(viz::PictureOptions& picture) const {

@@ -8,10 +8,11 @@
 
 namespace packstone {
 
-/// The values of these rows, in that order.
+/// The values of these rows, in that order; none where there are none, of a column that was not read.
 template <class T>
 std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::size_t>& order) {
   std::vector<T> result;
+  if (values.empty()) return result;
   result.reserve(values.size());
   for (std::size_t row : order) result.push_back(values[row]);
   return result;

@@ -254,7 +254,19 @@ void read_context(const hdf5::Reader& file, Snapshot& s) {
   s.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
 }
 
-void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::size_t rows, bool fields) {
+std::vector<std::string> fields_to_read(const hdf5::Reader& file, const ReadOptions& options) {
+  if (!options.fields) return {};
+  std::vector<std::string> names = file.children("/VTKHDF/PointData");
+  std::erase_if(names, [](const std::string& name) {
+    return name == "radius" || name == "id" || name == "type" || name == "material";
+  });
+  // All where it is not there, so that a message can name them.
+  if (options.field && std::find(names.begin(), names.end(), *options.field) != names.end()) return {*options.field};
+  return names;
+}
+
+void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::size_t rows,
+                 const ReadOptions& options) {
   const auto append = [](auto& to, auto&& from) {
     if (to.empty()) {
       to = std::move(from);
@@ -264,12 +276,10 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
   };
   append(s.position, file.vectors("/VTKHDF/Points", first, rows));
   append(s.radius, file.dataset<double>("/VTKHDF/PointData/radius", 1, first, rows));
-  append(s.id, file.dataset<std::int64_t>("/VTKHDF/PointData/id", 1, first, rows));
-  append(s.type, file.dataset<std::int32_t>("/VTKHDF/PointData/type", 1, first, rows));
-  append(s.material, file.dataset<std::int32_t>("/VTKHDF/PointData/material", 1, first, rows));
-  if (!fields) return;
-  for (const auto& name : file.children("/VTKHDF/PointData")) {
-    if (name == "radius" || name == "id" || name == "type" || name == "material") continue;
+  if (options.ids) append(s.id, file.dataset<std::int64_t>("/VTKHDF/PointData/id", 1, first, rows));
+  if (options.types) append(s.type, file.dataset<std::int32_t>("/VTKHDF/PointData/type", 1, first, rows));
+  if (options.materials) append(s.material, file.dataset<std::int32_t>("/VTKHDF/PointData/material", 1, first, rows));
+  for (const auto& name : fields_to_read(file, options)) {
     const std::string set = "/VTKHDF/PointData/" + name;
     Field& field = s.fields[name];
     field.components = static_cast<int>(file.shape(set).second);
@@ -278,17 +288,30 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
   }
 }
 
-void read_region(const hdf5::Reader& file, Snapshot& s, std::size_t total, const Region& region, bool fields) {
+/// The particles of those chunks that the options want.
+void read_chunks(const hdf5::Reader& file, Snapshot& s, std::size_t total, const ReadOptions& options) {
   const auto first_row = file.dataset<std::int64_t>("/packstone/chunk_first_row");
   const auto bounds = file.dataset<double>("/packstone/chunk_bounds", 6, 0, first_row.size());
+  const auto wanted = [&](const Region& box) {
+    const bool outside = options.region && ((box.min.array() > options.region->max.array()).any() ||
+                                            (box.max.array() < options.region->min.array()).any());
+    return !outside && (!options.wants_chunk || options.wants_chunk(box));
+  };
+  std::size_t first = 0, rows = 0;  // of chunks one after the other that are wanted
   for (std::size_t c = 0; c < first_row.size(); ++c) {
+    const auto begin = static_cast<std::size_t>(first_row[c]);
+    const auto end = c + 1 < first_row.size() ? static_cast<std::size_t>(first_row[c + 1]) : total;
+    if (end < begin) file.fail("/packstone/chunk_first_row does not ascend");
     const Eigen::Map<const Vec3> low(&bounds[6 * c]), high(&bounds[6 * c + 3]);
-    if ((low.array() > region.max.array()).any() || (high.array() < region.min.array()).any()) continue;
-    const auto first = static_cast<std::size_t>(first_row[c]);
-    const auto last = c + 1 < first_row.size() ? static_cast<std::size_t>(first_row[c + 1]) : total;
-    if (last < first) file.fail("/packstone/chunk_first_row does not ascend");
-    append_rows(file, s, first, last - first, fields);
+    if (!wanted({low, high})) continue;
+    if (rows > 0 && first + rows != begin) {
+      append_rows(file, s, first, rows, options);
+      rows = 0;
+    }
+    if (rows == 0) first = begin;
+    rows += end - begin;
   }
+  append_rows(file, s, first, rows, options);  // also of none, for the fields' names
 }
 
 void check_indices(const hdf5::Reader& file, const Snapshot& s) {
@@ -333,12 +356,12 @@ Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& opt
   s.time = file.dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
   s.step = file.dataset<std::int64_t>("/VTKHDF/FieldData/step", 1, 0, 1).front();
   const std::size_t total = file.shape("/VTKHDF/Points").first;
-  if (options.region) {
-    read_region(file, s, total, *options.region, options.fields);
-    s = restricted(s, *options.region);
+  if (options.region || options.wants_chunk) {
+    read_chunks(file, s, total, options);
   } else {
-    append_rows(file, s, 0, total, options.fields);
+    append_rows(file, s, 0, total, options);
   }
+  if (options.region) s = restricted(s, *options.region);
   if (options.contacts && file.has("/contacts/pair")) s.contacts = read_contacts(file);
   check_indices(file, s);
   return s;

@@ -48,7 +48,7 @@ std::string titled(const std::string& name, const std::string& unit) {
 std::optional<Quantity> quantity(const Snapshot& snapshot, const std::string& name) {
   if (colours_categories(name)) return std::nullopt;
   if (name == "radius") return Quantity{snapshot.radius, "radius [m]"};
-  const auto field = snapshot.fields.find(name == "speed" ? "velocity" : name);
+  const auto field = snapshot.fields.find(coloured_field(name));
   if (field == snapshot.fields.end()) refuse(snapshot, name);
   return Quantity{magnitudes(field->second, snapshot.size()), titled(name, field->second.unit)};
 }
@@ -124,6 +124,8 @@ bool colours_categories(const std::string& name) {
 }
 
 bool colour_needs_fields(const std::string& name) { return name != "type" && name != "material" && name != "radius"; }
+
+std::string coloured_field(const std::string& name) { return name == "speed" ? "velocity" : name; }
 
 std::vector<std::string> colour_names(const Snapshot& snapshot) {
   std::vector<std::string> names = {"type", "material", "radius"};

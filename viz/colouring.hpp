@@ -46,6 +46,9 @@ bool colours_categories(const std::string& name);
 /// Whether a snapshot without its fields lacks what to colour by.
 bool colour_needs_fields(const std::string& name);
 
+/// The field of a snapshot that such a name stands for.
+std::string coloured_field(const std::string& name);
+
 /// "type", "material", "radius", "speed" (where there are velocities) and the fields of the snapshot.
 std::vector<std::string> colour_names(const Snapshot& snapshot);
 

@@ -41,4 +41,8 @@ bool is_cut_away(const CutAway& cut, const Vec3& centre) {
   return !cut.empty() && std::all_of(cut.begin(), cut.end(), [&](const HalfSpace& half) { return half.holds(centre); });
 }
 
+bool is_cut_away(const CutAway& cut, const Region& box) {
+  return is_cut_away(cut, box.min) && is_cut_away(cut, box.max);  // the planes are across the axes
+}
+
 }  // namespace packstone::viz

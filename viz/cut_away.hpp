@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/vec3.hpp"
+#include "core/snapshot.hpp"
 
 namespace packstone::viz {
 
@@ -25,5 +25,8 @@ CutAway cut_from_text(const std::string& text);
 
 /// Whether a particle with its centre there is left out.
 bool is_cut_away(const CutAway& cut, const Vec3& centre);
+
+/// Whether all particles with their centres in the box are left out.
+bool is_cut_away(const CutAway& cut, const Region& box);
 
 }  // namespace packstone::viz

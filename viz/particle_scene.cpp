@@ -48,7 +48,7 @@ struct Frame {
   Camera camera;  // of the samples
   std::vector<Vec3> centres;
   std::vector<double> radii;
-  double reach;  // mean radius of the particles in the middle of the picture [samples]
+  double reach;  // mean radius of the particles drawn, in the middle of the picture [samples]
   std::vector<SphereCloud> parts;
   FrustumCloud tubes;
   SphereCloud joints;
@@ -71,7 +71,8 @@ struct Frame {
       radii[row] = left_out ? 0 : snapshot.radius[row] * space.scale;  // of no radius nothing is drawn
     }
     const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
-    reach = sum / static_cast<double>(std::max<std::size_t>(1, radii.size())) * camera.pixels_per_unit();
+    const auto drawn = std::count_if(radii.begin(), radii.end(), [](double radius) { return radius > 0; });
+    reach = sum / static_cast<double>(std::max<std::ptrdiff_t>(1, drawn)) * camera.pixels_per_unit();
     if (options.shown != Shown::all) shrink(snapshot, drawn_among, options.shown == Shown::shrunk ? shrunk_share : 0);
     const auto count = static_cast<std::size_t>(options.parts);
     for (std::size_t k = 0; k < count; ++k) {
