@@ -36,8 +36,8 @@ ReadOptions RenderSource::read_for(std::size_t run, const viz::PictureOptions& p
                    .types = among || picture.color == "type",
                    .materials = picture.color == "material"};
   if (by_field && !overlay.needs_fields()) read.field = viz::coloured_field(picture.color);
-  // A scale of its own and what is drawn among the particles depend on those cut away, too.
-  const bool own_scale = !picture.range && !viz::colours_categories(picture.color);
+  // A scale or legend of its own and what is drawn among the particles depend on those cut away, too.
+  const bool own_scale = !picture.range && picture.color != "type" && picture.color != "material";
   if (!picture.cut.empty() && !own_scale && !among) {
     read.wants_chunk = [cut = picture.cut](const Region& box) { return !viz::is_cut_away(cut, box); };
   }

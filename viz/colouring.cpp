@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include <fmt/format.h>
@@ -125,7 +126,10 @@ bool colours_categories(const std::string& name) {
 
 bool colour_needs_fields(const std::string& name) { return name != "type" && name != "material" && name != "radius"; }
 
-std::string coloured_field(const std::string& name) { return name == "speed" ? "velocity" : name; }
+std::string coloured_field(const std::string& name) {
+  const std::string plain = name.starts_with(category_prefix) ? name.substr(std::strlen(category_prefix)) : name;
+  return plain == "speed" ? "velocity" : plain;
+}
 
 std::vector<std::string> colour_names(const Snapshot& snapshot) {
   std::vector<std::string> names = {"type", "material", "radius"};
@@ -145,7 +149,7 @@ Colouring colour_particles(const Snapshot& snapshot, const std::string& name, st
   }
   if (name == "type") return colour_groups(snapshot);
   if (name.starts_with(category_prefix)) {
-    return colour_numbered(snapshot, name.substr(std::string(category_prefix).size()));
+    return colour_numbered(snapshot, name.substr(std::strlen(category_prefix)));
   }
   if (name == "material") return colour_categories(snapshot.material, snapshot.material_names, "material");
   const Quantity numbers = *quantity(snapshot, name);
