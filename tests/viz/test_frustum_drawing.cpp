@@ -31,12 +31,12 @@ std::vector<Frustum> strewn_frusta(int count) {
   return frusta;
 }
 
-Camera camera_of(View view, const PixelWindow& window) {
+Camera tube_camera(View view, const PixelWindow& window) {
   return {view, Vec3::Constant(-0.5), Vec3::Constant(0.5),
           Box{0, 0, static_cast<double>(window.width), static_cast<double>(window.height)}};
 }
 
-PixelLayer drawn(const std::vector<Frustum>& frusta, const Camera& camera, const PixelWindow& window, bool cull) {
+PixelLayer drawn_tubes(const std::vector<Frustum>& frusta, const Camera& camera, const PixelWindow& window, bool cull) {
   PixelLayer layer(camera);
   layer.reset(window);
   draw(layer, FrustumCloud(frusta, camera, 0), cull);
@@ -51,16 +51,16 @@ double outside(const Frustum& f, const Vec3& p) {
   return std::max({-h, h - length, (p - f.from - h * axis).norm() - radius});
 }
 
-struct Hit {
+struct TubeHit {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t frustum = PixelLayer::nothing;
 };
 
 /// The deepest point of the ray in each frustum by golden section, then the way in by bisection.
-Hit cast(const std::vector<Frustum>& frusta, const Camera& camera, int column, int row) {
+TubeHit cast_tubes(const std::vector<Frustum>& frusta, const Camera& camera, int column, int row) {
   const Point middle{column + 0.5, row + 0.5};
   const auto at = [&](double distance) { return camera.point_at(middle, distance); };
-  Hit hit;
+  TubeHit hit;
   for (std::size_t i = 0; i < frusta.size(); ++i) {
     double low = camera.nearest_distance(), high = camera.farthest_distance() + 1;
     const double start = low;
@@ -90,13 +90,13 @@ TEST_CASE("every pixel shows the tube or cone that a ray caster finds, at its di
   const std::vector<Frustum> frusta = strewn_frusta(50);
   const PixelWindow window{0, 0, 160, 120};
   for (const View view : {View::iso, View::front}) {
-    const Camera camera = camera_of(view, window);
-    const PixelLayer layer = drawn(frusta, camera, window, true);
+    const Camera camera = tube_camera(view, window);
+    const PixelLayer layer = drawn_tubes(frusta, camera, window, true);
     int covered = 0, other = 0;
     double worst = 0;
     for (int row = 0; row < window.height; ++row) {
       for (int column = 0; column < window.width; ++column) {
-        const Hit hit = cast(frusta, camera, column, row);
+        const TubeHit hit = cast_tubes(frusta, camera, column, row);
         covered += hit.frustum != PixelLayer::nothing;
         if (layer.numbers(row)[column] != hit.frustum) {
           ++other;
@@ -116,8 +116,8 @@ TEST_CASE("a tube is lit as its surface stands") {
   // bottom.
   const std::vector<Frustum> tube = {{Vec3(-0.4, 0, 0), Vec3(0.4, 0, 0), 0.2, 0.2, {180, 180, 180}}};
   const PixelWindow window{0, 0, 200, 200};
-  const Camera camera = camera_of(View::front, window);
-  const PixelLayer layer = drawn(tube, camera, window, true);
+  const Camera camera = tube_camera(View::front, window);
+  const PixelLayer layer = drawn_tubes(tube, camera, window, true);
   const std::vector<Vec3> centre = {Vec3::Zero()};
   const std::vector<double> radius = {0.2};
   const std::vector<Colour> colour = {{180, 180, 180}};
@@ -143,7 +143,7 @@ TEST_CASE("a window and hidden tubes left out change no bit, among spheres") {
   const std::vector<Colour> colours = {{255, 0, 0}, {0, 0, 255}};
   const PixelWindow whole{0, 0, 251, 187};
   for (const View view : {View::iso, View::left}) {
-    const Camera camera = camera_of(view, whole);
+    const Camera camera = tube_camera(view, whole);
     const SphereCloud spheres(centres, radii, colours, camera);
     const FrustumCloud tubes(frusta, camera, 2);
     PixelLayer plain(camera);

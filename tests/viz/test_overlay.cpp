@@ -16,7 +16,7 @@ using namespace packstone::viz;
 
 namespace {
 
-PictureOptions bare() {
+PictureOptions plain_picture() {
   PictureOptions options;
   options.width = 400;
   options.height = 300;
@@ -43,7 +43,7 @@ Snapshot touching_pair() {
   return snapshot;
 }
 
-Point pixel(const Snapshot& snapshot, const PictureOptions& options, const Vec3& p) {
+Point pixel_of(const Snapshot& snapshot, const PictureOptions& options, const Vec3& p) {
   const UnitSpace space(snapshot.domain);
   return lay_out(options, space, {}).camera.project((p - space.centre) * space.scale);
 }
@@ -114,7 +114,7 @@ TEST_CASE("arrows have the length and direction of their vectors") {
   snapshot.fields["force"] = {3, "N", {0, 0, -2, 3, 4, 0}};
   const Overlay overlay{{}, arrows_of(snapshot, "force"), {}};
   const UnitSpace space(snapshot.domain);
-  const OverlayBodies bodies(overlay, snapshot, space, colour_particles(snapshot, "type", {}), bare());
+  const OverlayBodies bodies(overlay, snapshot, space, colour_particles(snapshot, "type", {}), plain_picture());
   REQUIRE(bodies.frusta.size() == 4);
   const Vec3 tip = bodies.frusta[3].to / space.scale + space.centre;
   CHECK((tip - Vec3(0.6 + 0.36, 0.5 + 0.48, 0.5)).norm() < 1e-12);
@@ -125,14 +125,14 @@ TEST_CASE("arrows have the length and direction of their vectors") {
 
 TEST_CASE("tubes stand in the picture where the contacts are, as thick as their forces say") {
   const Snapshot snapshot = touching_pair();
-  PictureOptions options = bare();
+  PictureOptions options = plain_picture();
   options.shown = Shown::hidden;
   options.look.thickest_force = 20;
   options.look.link_width = 0.4;  // of 0.1 m: 40 mm at 20 N, 10 mm at 5 N
   ParticlePainter painter(options);
   const Image image = painter.paint(snapshot, {contact_links(snapshot), {}, {}});
   const auto thickness = [&](const Vec3& at, bool upright) {  // pixels that are not paper across the tube
-    const Point p = pixel(snapshot, options, at);
+    const Point p = pixel_of(snapshot, options, at);
     int count = 0;
     for (int k = -60; k <= 60; ++k) {
       const int column = static_cast<int>(p.x) + (upright ? k : 0), row = static_cast<int>(p.y) + (upright ? 0 : k);
@@ -140,35 +140,37 @@ TEST_CASE("tubes stand in the picture where the contacts are, as thick as their 
     }
     return count;
   };
-  const double metre = pixel(snapshot, options, Vec3(1, 0.5, 0.5)).x - pixel(snapshot, options, Vec3(0, 0.5, 0.5)).x;
+  const double metre =
+      pixel_of(snapshot, options, Vec3(1, 0.5, 0.5)).x - pixel_of(snapshot, options, Vec3(0, 0.5, 0.5)).x;
   CHECK(thickness(Vec3(0.5, 0.5, 0.5), false) == Approx(0.02 * metre).margin(1.01));
   CHECK(thickness(Vec3(0.6, 0.5, 0.44), true) == Approx(0.08 * metre).margin(1.01));
-  const auto seen = painter.surface_point(static_cast<int>(pixel(snapshot, options, Vec3(0.5, 0.5, 0.5)).x),
-                                          static_cast<int>(pixel(snapshot, options, Vec3(0.5, 0.5, 0.5)).y));
+  const auto seen = painter.surface_point(static_cast<int>(pixel_of(snapshot, options, Vec3(0.5, 0.5, 0.5)).x),
+                                          static_cast<int>(pixel_of(snapshot, options, Vec3(0.5, 0.5, 0.5)).y));
   REQUIRE(seen);
   CHECK(seen->y() == Approx(0.5 - 0.01).margin(1e-3));  // the tube's front
 
   options.cut = cut_from_text("x<0.55");
   const Image cut = ParticlePainter(options).paint(snapshot, {contact_links(snapshot), {}, {}});
-  const Point gone = pixel(snapshot, options, Vec3(0.5, 0.5, 0.5)),
-              kept = pixel(snapshot, options, Vec3(0.6, 0.5, 0.44));
+  const Point gone = pixel_of(snapshot, options, Vec3(0.5, 0.5, 0.5)),
+              kept = pixel_of(snapshot, options, Vec3(0.6, 0.5, 0.44));
   CHECK(cut.at(static_cast<int>(gone.x), static_cast<int>(gone.y)) == paper);
   CHECK(cut.at(static_cast<int>(kept.x), static_cast<int>(kept.y)) != paper);
 }
 
 TEST_CASE("particles with paths keep their size where the others are hidden or shrunk") {
   const Snapshot snapshot = touching_pair();
-  PictureOptions options = bare();
+  PictureOptions options = plain_picture();
   const Overlay overlay{{}, {}, {{1, {Vec3(0.6, 0.5, 0.9), Vec3(0.6, 0.5, 0.7), Vec3(0.6, 0.5, 0.5)}}}};
   const auto width_at = [&](const Image& image, const Vec3& centre) {
-    const Point p = pixel(snapshot, options, centre);
+    const Point p = pixel_of(snapshot, options, centre);
     int count = 0;
     for (int k = -25; k <= 25; ++k) {
       count += image.at(static_cast<int>(p.x) + k, static_cast<int>(p.y)) != paper;
     }
     return count;
   };
-  const double metre = pixel(snapshot, options, Vec3(1, 0.5, 0.5)).x - pixel(snapshot, options, Vec3(0, 0.5, 0.5)).x;
+  const double metre =
+      pixel_of(snapshot, options, Vec3(1, 0.5, 0.5)).x - pixel_of(snapshot, options, Vec3(0, 0.5, 0.5)).x;
   options.shown = Shown::hidden;
   const Image hidden = ParticlePainter(options).paint(snapshot, overlay);
   CHECK(width_at(hidden, snapshot.position[0]) == 0);
