@@ -19,6 +19,10 @@ run 05_funnel_discharge
 run 09_piston
 run 10_heap
 draw 01_density_segregation bed --preset paper --cut "x>0.3,y<0.3"
+snapshots=$folder/01_density_segregation/snapshots
+"$packstone" render "$snapshots/snapshot_000010.vtkhdf" "$snapshots/snapshot_000025.vtkhdf" \
+  "$snapshots/snapshot_000150.vtkhdf" --titles "grown,falling,at rest" --occlusion 0.7 --size 1200x520 --quiet \
+  -o "$pictures/gallery_panels.png"
 draw 01_density_segregation chains --preset paper --chains
 draw 05_funnel_discharge outflow --preset paper --at t=1.0 --camera front --zoom 6 --focus 0,0,0.115 \
   --arrows velocity --arrow-scale 1 --cut "y<-2 mm"
