@@ -40,7 +40,7 @@ ordered_json as_json(const SceneCheck& c) {
       {"mass", value(c.mass, "kg")},
       {"solid_volume", value(c.solid_volume, "m3")},
       {"domain", {{"value", {c.size[0], c.size[1], c.size[2]}}, {"unit", "m"}}},
-      {"time_step", value(c.time_step, "s")},
+      {c.overdamped ? "look_interval" : "time_step", value(c.time_step, "s")},
       {"time_step_limit", value(c.limit.limit, "s")},
       {"time_step_recommended", value(c.limit.recommended, "s")},
       {"tightest_pair", c.limit.pair},
@@ -54,6 +54,13 @@ ordered_json as_json(const SceneCheck& c) {
       {"warnings", c.warnings},
       {"advice", c.advice},
   };
+  if (c.overdamped) {
+    j["integrator"] = c.integrator;
+    j["relaxation_time"] = value(c.overdamped->contact_time, "s");
+    j["stiffness_ratio"] = value(c.overdamped->stiffness_ratio, "");
+    j["sinking_speed"] = value(c.overdamped->sinking_speed, "m/s");
+    for (const char* of_impacts : {"reference_speed", "pairs", "loop_time"}) j.erase(of_impacts);
+  }
   if (c.resting_overlap) j["resting_overlap"] = value(*c.resting_overlap, "radius");
   if (c.bond_number) j["bond_number"] = value(*c.bond_number, "");
   if (c.sticking_speed) j["sticking_speed"] = value(*c.sticking_speed, "m/s");
@@ -69,23 +76,43 @@ std::string time_text(double seconds) {
   return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-void print_text(const SceneCheck& c) {
-  const auto line = [](const char* name, const std::string& text) { fmt::print("{:<18}{}\n", name, text); };
-  line("particles", fmt::format("{}, {:.4g} kg, {:.4g} m3 of solid", c.particles, c.mass, c.solid_volume));
-  line("domain", fmt::format("{:.4g} x {:.4g} x {:.4g} m", c.size[0], c.size[1], c.size[2]));
-  line("time step", fmt::format("{:.3g} us, {} steps; recommended {:.3g} us, limit {:.3g} us ({})", c.time_step * 1e6,
-                                c.steps, c.limit.recommended * 1e6, c.limit.limit * 1e6, c.limit.pair));
-  if (c.resting_overlap) line("overlap at rest", fmt::format("{:.2g} % of the radius", 100 * *c.resting_overlap));
-  if (c.bond_number) line("Bond number", fmt::format("{:.3g}", *c.bond_number));
-  if (c.sticking_speed) line("sticks below", fmt::format("{:.3g} m/s", *c.sticking_speed));
-  line("cost, about", fmt::format("{} of memory, {} in {} snapshots, {} on two cores", size_text(c.memory),
-                                  size_text(c.disk), c.snapshots, time_text(c.seconds)));
+void line(const char* name, const std::string& text) { fmt::print("{:<18}{}\n", name, text); }
+
+void print_overdamped(const SceneCheck& c) {
+  const engine::OverdampedScales& scales = *c.overdamped;
+  line("overdamped",
+       fmt::format("t_0 = mu/k = {:.3g} s ({}), chi = k r/weight = {:.3g}, a free sphere sinks at {:.3g} m/s",
+                   scales.contact_time, scales.pair, scales.stiffness_ratio, scales.sinking_speed));
+  line("integrator", c.integrator);
+  line("explicit Euler", fmt::format("steps up to about {:.3g} s in a bed, {:.3g} s with one contact", scales.bed_limit,
+                                     scales.single_limit));
+  line("looked at", fmt::format("every {:.3g} s, {} times", c.time_step, c.steps));
+}
+
+void print_impacts(const SceneCheck& c) {
   fmt::print("\nimpact at {:.3g} m/s{:>22}{:>14}{:>14}{:>14}\n", c.reference_speed, "contact time", "restitution",
              "overlap [R]", "steps");
   for (const auto& p : c.pairs) {
     fmt::print("  {:<24}{:>12.4g} us{:>14.4f}{:>14.2g}{:>14.1f}\n", p.pair, p.impact.duration * 1e6,
                p.impact.restitution, p.overlap_share, p.steps);
   }
+}
+
+void print_text(const SceneCheck& c) {
+  line("particles", fmt::format("{}, {:.4g} kg, {:.4g} m3 of solid", c.particles, c.mass, c.solid_volume));
+  line("domain", fmt::format("{:.4g} x {:.4g} x {:.4g} m", c.size[0], c.size[1], c.size[2]));
+  if (c.overdamped) {
+    print_overdamped(c);
+  } else {
+    line("time step", fmt::format("{:.3g} us, {} steps; recommended {:.3g} us, limit {:.3g} us ({})", c.time_step * 1e6,
+                                  c.steps, c.limit.recommended * 1e6, c.limit.limit * 1e6, c.limit.pair));
+  }
+  if (c.resting_overlap) line("overlap at rest", fmt::format("{:.2g} % of the radius", 100 * *c.resting_overlap));
+  if (c.bond_number) line("Bond number", fmt::format("{:.3g}", *c.bond_number));
+  if (c.sticking_speed) line("sticks below", fmt::format("{:.3g} m/s", *c.sticking_speed));
+  line("cost, about", fmt::format("{} of memory, {} in {} snapshots{}", size_text(c.memory), size_text(c.disk),
+                                  c.snapshots, c.overdamped ? "" : ", " + time_text(c.seconds) + " on two cores"));
+  if (!c.overdamped) print_impacts(c);
   for (const auto& text : c.warnings) fmt::print("\nwarning: {}\n", text);
   for (const auto& text : c.advice) fmt::print("\nadvice: {}\n", text);
 }

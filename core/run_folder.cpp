@@ -131,6 +131,8 @@ RunRecord RunReader::record() const {
     r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the three
     r.list_seconds = json.value("list_seconds", 0.0);
     r.list_builds = json.value("list_builds", std::int64_t{0});
+    r.integrator_steps = json.value("integrator_steps", std::int64_t{0});  // of overdamped motion alone
+    r.ending = json.value("ending", "");
     r.steps = json.at("steps");
     r.particles = json.at("particles");
     const std::string status = json.at("status");
@@ -157,24 +159,28 @@ RunWriter::RunWriter(const fs::path& path, bool overwrite) : path_(path) { prepa
 void RunWriter::write_scene(const std::string& text) const { write_text_file(path_ / "scene.toml", text); }
 
 void RunWriter::write_record(const RunRecord& r) const {
-  const ordered_json json = {{"title", r.title},
-                             {"version", r.version},
-                             {"git_revision", r.git_revision},
-                             {"compiler", r.compiler},
-                             {"machine", r.machine},
-                             {"scene_hash", r.scene_hash},
-                             {"filling_hash", r.filling_hash},
-                             {"seed", r.seed},
-                             {"threads", r.threads},
-                             {"status", to_string(r.status)},
-                             {"reason", r.reason},
-                             {"warnings", r.warnings},
-                             {"particles", r.particles},
-                             {"steps", r.steps},
-                             {"wall_seconds", r.wall_seconds},
-                             {"loop_seconds", r.loop_seconds},
-                             {"list_seconds", r.list_seconds},
-                             {"list_builds", r.list_builds}};
+  ordered_json json = {{"title", r.title},
+                       {"version", r.version},
+                       {"git_revision", r.git_revision},
+                       {"compiler", r.compiler},
+                       {"machine", r.machine},
+                       {"scene_hash", r.scene_hash},
+                       {"filling_hash", r.filling_hash},
+                       {"seed", r.seed},
+                       {"threads", r.threads},
+                       {"status", to_string(r.status)},
+                       {"reason", r.reason},
+                       {"warnings", r.warnings},
+                       {"particles", r.particles},
+                       {"steps", r.steps},
+                       {"wall_seconds", r.wall_seconds},
+                       {"loop_seconds", r.loop_seconds},
+                       {"list_seconds", r.list_seconds},
+                       {"list_builds", r.list_builds}};
+  if (!r.ending.empty()) {
+    json["integrator_steps"] = r.integrator_steps;
+    json["ending"] = r.ending;
+  }
   write_text_file(path_ / "run.json", json.dump(2) + "\n");
 }
 

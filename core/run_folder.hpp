@@ -37,6 +37,8 @@ struct RunRecord {
   double list_seconds = 0;       ///< of that in building them
   std::int64_t list_builds = 0;  ///< how often the neighbour list was built
   std::int64_t steps = 0;
+  std::int64_t integrator_steps = 0;  ///< of overdamped motion
+  std::string ending;                 ///< of overdamped motion: whether at rest
   std::int64_t particles = 0;
 };
 

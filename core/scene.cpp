@@ -35,33 +35,51 @@ const ChoiceNames output_fields = {"velocity",
                                    "kinetic_rotational",
                                    "elastic",
                                    "gravitational"};
-const ChoiceNames dynamics_kinds = {"newtonian"};
+const ChoiceNames dynamics_kinds = {"newtonian", "overdamped"};
 
-void describe_rest(OptionVisitor& v, const std::string& what, std::optional<double>& speed, double& time) {
+void describe_rest(OptionVisitor& v, const std::string& what, std::optional<double>& speed, double& time,
+                   std::optional<double>& force) {
   const std::string help = fmt::format(
       "Ends {} when the particles' root-mean-square speed, by mass, has been below this for rest_time, all being in",
       what);
   v.number({"rest_speed", help.c_str(), unit::speed, Range::positive()}, speed);
   v.number({"rest_time", "Goes with rest_speed; seen at each row of history.csv", unit::second, Range::positive()},
            time, has_default);
+  const std::string force_help = fmt::format(
+      "overdamped: ends {} when no particle's unbalanced force is more than this share of its weight (without gravity: "
+      "of the mean contact force), all being in; seen at each row of history.csv",
+      what);
+  v.number({"rest_force", force_help.c_str(), unit::none, Range::positive()}, force);
+}
+
+void describe_resistance(OptionVisitor& v, const std::string& whose, ResistanceSpec& r) {
+  const std::string constant = fmt::format("overdamped: resistance of {}, force over speed", whose);
+  v.number({"viscosity", constant.c_str(), unit::damping, Range::positive()}, r.coefficient);
+  const std::string stokes =
+      fmt::format("overdamped, instead of viscosity: that of a fluid, nu; the resistance of {} is 6 pi r nu", whose);
+  v.number({"stokes_viscosity", stokes.c_str(), unit::viscosity, Range::positive()}, r.fluid_viscosity);
 }
 
 void describe_stage(OptionVisitor& v, StageSpec& s) {
   v.text({"name", "Name that boundaries and motions refer to"}, s.name, required);
   v.number({"duration", "How long it lasts, at most", unit::second, Range::positive()}, s.duration, required);
-  describe_rest(v, "the stage", s.rest_speed, s.rest_time);
+  describe_rest(v, "the stage", s.rest_speed, s.rest_time, s.rest_force);
 }
 
 void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
-  enum class Kind { newtonian } kind = Kind::newtonian;
-  v.choice({"kind", "Equations of motion"}, dynamics_kinds, kind, has_default);
-  v.number_or({"time_step", "Time step; \"auto\" takes the recommended share of the stiffest contact's duration",
+  v.choice({"kind",
+            "Equations of motion. newtonian: Newton's. overdamped: no inertia, each particle's velocity is the force "
+            "on it over its resistance; central forces alone"},
+           dynamics_kinds, d.kind, has_default);
+  v.number_or({"time_step",
+               "Time step; \"auto\" takes the recommended share of the stiffest contact's duration, overdamped: "
+               "chooses each step by tolerance",
                unit::second, Range::positive()},
               "auto", d.time_step);
   v.number({"duration", "Physical time to simulate, filling included; required, unless [[stage]] tables say it",
             unit::second, Range::positive()},
            d.duration, has_default);
-  describe_rest(v, "the run", d.rest_speed, d.rest_time);
+  describe_rest(v, "the run", d.rest_speed, d.rest_time, d.rest_force);
   v.choice(
       {"contact_velocity",
        "Velocity that damping and friction see. step: of the step's instant, of second order. half-step: of half a "
@@ -72,6 +90,17 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
             "Of the forces between particles. mixed: single, from positions in fixed point; faster, with overlaps "
             "rounded by 1e-7 of the radii. Motion and walls are double either way"},
            {"double", "mixed"}, d.precision, has_default);
+  describe_resistance(v, "every particle", d.resistance);
+  v.choice(
+      {"integrator",
+       "overdamped. euler: explicit, first order. rkc: explicit, stabilised (Runge-Kutta-Chebyshev), second order. "
+       "implicit: backward Euler, first order, for long steps of stiff beds. auto: whichever suits the stiffness"},
+      {"auto", "euler", "rkc", "implicit"}, d.integrator, has_default);
+  v.number({"tolerance",
+            "overdamped: error of one step in the particles' positions, root mean square over the mean radius; 0.01 "
+            "unless given",
+            unit::none, Range::above_up_to(0, 0.1)},
+           d.tolerance);
 }
 
 void describe_domain(OptionVisitor& v, DomainSpec& d) {
@@ -210,6 +239,7 @@ void describe_group(OptionVisitor& v, GroupSpec& g) {
                      "file, and then not given",
                      unit::metre, Range::positive()},
                     g.radius, g.sizes.present, [&] { describe_sizes(v, g.sizes); });
+  describe_resistance(v, "the group's particles, instead of that in [dynamics]", g.resistance);
 }
 
 void describe_filling(OptionVisitor& v, FillingSpec& f) {
@@ -242,6 +272,11 @@ void describe_filling(OptionVisitor& v, FillingSpec& f) {
   v.number({"rest_speed", "pour with portions, required: root-mean-square speed below which a portion is at rest",
             unit::speed, Range::positive()},
            f.rest_speed);
+  v.number({"rest_force",
+            "pour with portions, overdamped, required instead of rest_speed: unbalanced force below which a portion is "
+            "at rest, as in [dynamics]",
+            unit::none, Range::positive()},
+           f.rest_force);
   v.vector({"velocity", "pour: with which particles come in", unit::speed}, f.velocity, has_default);
   v.number({"most_mass", "pour: ends before the mass poured would be more", unit::mass, Range::positive()},
            f.most_mass);
@@ -268,7 +303,17 @@ void describe_monitor(OptionVisitor& v, MonitorSpec& m) {
            m.energy_tolerance, has_default);
 }
 
+/// Keys that overdamped motion leaves aside get the values that say so.
+void fill_overdamped_defaults(Scene& s) {
+  constexpr double default_tolerance = 0.01;
+  if (!s.dynamics.tolerance) s.dynamics.tolerance = default_tolerance;
+  for (auto& material : s.materials) {
+    if (!material.normal_damping && !material.restitution) material.normal_damping = 0;
+  }
+}
+
 void fill_defaults(Scene& s) {
+  if (s.dynamics.overdamped()) fill_overdamped_defaults(s);
   if (s.dynamics.duration == 0) {
     for (const StageSpec& stage : s.stages) s.dynamics.duration += stage.duration;
   }

@@ -34,13 +34,35 @@ enum Face { x_min, x_max, y_min, y_max, z_min, z_max, face_count };
 enum class ContactVelocity { automatic, step, half_step };
 enum class Precision { double_precision, mixed };
 
+/// Newton's equations, or motion without inertia, in which forces set velocities.
+enum class MotionKind { newtonian, overdamped };
+/// Of overdamped motion (docs/overdamped.md).
+enum class Integrator { automatic, euler, rkc, implicit };
+
+/// Resistance to overdamped motion: one coefficient for every particle, or Stokes' 6 pi r nu.
+struct ResistanceSpec {
+  std::optional<double> coefficient;      ///< [N s/m]
+  std::optional<double> fluid_viscosity;  ///< nu [Pa s]
+
+  bool given() const { return coefficient || fluid_viscosity; }
+};
+
 struct DynamicsSpec {
+  MotionKind kind = MotionKind::newtonian;
   std::optional<double> time_step;   ///< [s]; none: chosen from the stiffest contact
   double duration = 0;               ///< [s]; of all stages together, where there are any
   std::optional<double> rest_speed;  ///< root-mean-square speed of a bed at rest, which ends the run [m/s]
   double rest_time = 0.01;           ///< for which it stays below [s]
   ContactVelocity contact_velocity = ContactVelocity::automatic;
   Precision precision = Precision::double_precision;
+
+  // Overdamped.
+  ResistanceSpec resistance;  ///< of groups without one of their own
+  Integrator integrator = Integrator::automatic;
+  std::optional<double> tolerance;   ///< error of a step, root mean square over the mean radius
+  std::optional<double> rest_force;  ///< unbalanced force of a bed at rest, which ends the run
+
+  bool overdamped() const { return kind == MotionKind::overdamped; }
 };
 
 struct DomainSpec {
@@ -66,6 +88,7 @@ struct StageSpec {
   double duration = 0;               ///< at most [s]
   std::optional<double> rest_speed;  ///< as in DynamicsSpec; ends the stage
   double rest_time = 0.01;           ///< [s]
+  std::optional<double> rest_force;  ///< as in DynamicsSpec; ends the stage
 };
 
 /// Attraction between surfaces, in contact and across a gap.
@@ -109,6 +132,7 @@ struct GroupSpec {
   std::optional<std::int64_t> count;  ///< not given where a file holds the particles
   std::optional<double> radius;       ///< [m]; the same
   SizeSpec sizes;                     ///< instead of one radius
+  ResistanceSpec resistance;          ///< to overdamped motion, instead of DynamicsSpec's
 };
 
 struct FillingSpec {
@@ -124,6 +148,7 @@ struct FillingSpec {
   std::optional<double> rate;            ///< [1/s]
   std::optional<std::int64_t> portions;  ///< each when the one before has come to rest
   std::optional<double> rest_speed;      ///< below which it has [m/s]
+  std::optional<double> rest_force;      ///< likewise in overdamped motion
   Vec3 velocity = Vec3::Zero();          ///< with which particles come in [m/s]
   std::optional<double> most_mass;       ///< to pour [kg]
   std::optional<double> fill_height;     ///< of the bed, at which pouring ends [m]

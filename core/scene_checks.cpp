@@ -64,8 +64,10 @@ void check_pouring_keys(const Scene& s) {
   if (f.rate.has_value() == f.portions.has_value()) {
     s.fail("filling", "needs either rate, in particles a second, or portions with kind = \"pour\"");
   }
-  if (f.portions.has_value() != f.rest_speed.has_value()) {
-    s.fail("filling.rest_speed", "goes with portions, and portions with it");
+  const bool overdamped = s.dynamics.overdamped();
+  const auto& rest = overdamped ? f.rest_force : f.rest_speed;
+  if (f.portions.has_value() != rest.has_value()) {
+    s.fail(overdamped ? "filling.rest_force" : "filling.rest_speed", "goes with portions, and portions with it");
   }
 }
 
@@ -74,6 +76,7 @@ void refuse_pouring_keys(const Scene& s) {
   for (const auto& [key, given] : {std::pair{"rate", f.rate.has_value()},
                                    {"portions", f.portions.has_value()},
                                    {"rest_speed", f.rest_speed.has_value()},
+                                   {"rest_force", f.rest_force.has_value()},
                                    {"velocity", !f.velocity.isZero(0)},
                                    {"most_mass", f.most_mass.has_value()},
                                    {"fill_height", f.fill_height.has_value()}}) {
@@ -144,6 +147,7 @@ void check_stages(const Scene& s) {
            fmt::format("{:g} s is not the stages' sum, {:g} s; leave it out", s.dynamics.duration, total));
   }
   if (s.dynamics.rest_speed) s.fail("dynamics.rest_speed", "goes into the [[stage]] that it is to end");
+  if (s.dynamics.rest_force) s.fail("dynamics.rest_force", "goes into the [[stage]] that it is to end");
 }
 
 void check_gravity(const Scene& s) {
@@ -176,6 +180,7 @@ void check_domain(const Scene& s) {
 
 void check(const Scene& scene) {
   check_names(scene);
+  check_motion_kind(scene);
   check_materials(scene);
   check_filling(scene);
   check_domain(scene);

@@ -15,4 +15,7 @@ void check(const Scene& scene);
 /// The part of it that knows which material keys the scene's laws need.
 void check_materials(const Scene& scene);
 
+/// The part of it that knows what goes with overdamped motion, and what only with it.
+void check_motion_kind(const Scene& scene);
+
 }  // namespace packstone

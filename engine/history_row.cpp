@@ -30,6 +30,9 @@ std::vector<std::string> history_columns(const Scene& scene) {
                                       "packing_fraction",
                                       "bed_height",
                                       "particles"};
+  if (scene.dynamics.overdamped()) {
+    columns.insert(columns.end(), {"unbalanced_force", "integrator_steps", "rejected_steps", "force_evaluations"});
+  }
   if (!scene.stages.empty()) columns.push_back("stage");
   for (const BoundarySpec& boundary : scene.boundaries) {
     for (const char* axis : axis_names) columns.push_back(fmt::format("{}.force_{}", boundary.name, axis));
@@ -64,6 +67,10 @@ std::vector<double> history_row(const Scene& scene, const HistorySources& from) 
                              from.bed.bulk_fraction,
                              from.bed.height,
                              particles};
+  if (scene.dynamics.overdamped()) {
+    row.insert(row.end(), {sums.unbalanced_force, static_cast<double>(from.work.steps),
+                           static_cast<double>(from.work.rejected), static_cast<double>(from.work.forces)});
+  }
   if (!scene.stages.empty()) row.push_back(static_cast<double>(from.stage));
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const Vec3& force = from.wall_loads[k].force;

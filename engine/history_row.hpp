@@ -25,6 +25,7 @@ struct HistorySources {
   std::size_t particles;
   const std::vector<WallLoad>& wall_loads;
   const Boundaries& boundaries;
+  const IntegratorWork& work;
 };
 
 std::vector<double> history_row(const Scene& scene, const HistorySources& from);

@@ -31,6 +31,13 @@ std::size_t slot_of(const Particles& particles, std::int64_t id) {
 }  // namespace
 
 std::string Monitor::step_advice() const {
+  if (scene_.dynamics.overdamped()) {
+    return dt_ > 0 ? fmt::format(
+                         "dynamics.time_step is {:.3g} s, explicit Euler's limit in a bed is about {:.3g} s; take "
+                         "\"auto\", or integrator = \"implicit\"",
+                         dt_, recommended_dt_)
+                   : fmt::format("dynamics.tolerance is {:g}; try a smaller one", *scene_.dynamics.tolerance);
+  }
   return fmt::format("dynamics.time_step is {:.3g} us, recommended is {:.3g} us or less", dt_ * 1e6,
                      recommended_dt_ * 1e6);
 }

@@ -18,12 +18,13 @@ struct EnergyAccount {
   double starting = 0;    ///< the sum of these at time 0
   double dissipated_normal = 0;
   double dissipated_tangential = 0;
+  double dissipated_resistance = 0;
   double growth_work = 0;
   double gravity_work = 0;
   double wall_work = 0;  ///< of moving boundaries
 
   double mechanical() const { return kinetic + elastic + attractive; }
-  double dissipated() const { return dissipated_normal + dissipated_tangential; }
+  double dissipated() const { return dissipated_normal + dissipated_tangential + dissipated_resistance; }
   double input() const { return starting + growth_work + gravity_work + wall_work; }
   /// What nothing accounts for; 0 in exact arithmetic with an infinitely small step.
   double error() const { return mechanical() + dissipated() - input(); }

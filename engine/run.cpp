@@ -68,6 +68,8 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
     record.loop_seconds = simulation.loop_seconds();
     record.list_seconds = simulation.list_seconds();
     record.list_builds = simulation.list_builds();
+    record.integrator_steps = simulation.work().steps;
+    record.ending = simulation.ending();
     writer.write_record(record);
   };
   try {

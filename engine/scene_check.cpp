@@ -87,11 +87,29 @@ void check_cost(const Scene& scene, SceneCheck& check) {
   const bool friction = rotates(scene);
   check.memory = n * (friction ? bytes_with_friction : bytes_a_particle);
   const double rate = !has_own_loop(scene) ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
-  check.seconds = n * static_cast<double>(check.steps) / rate;
+  if (!check.overdamped) check.seconds = n * static_cast<double>(check.steps) / rate;
   check.snapshots = 1 + std::llround(std::floor(scene.dynamics.duration / scene.output.interval * (1 + 1e-12)));
   double bytes = bytes_in_a_snapshot + bytes_of_a_vector * static_cast<double>(scene.output.fields.size());
   if (scene.output.contacts) bytes += bytes_of_a_contact * contacts_a_particle;
   check.disk = n * bytes * static_cast<double>(check.snapshots);
+}
+
+/// Which integrator runs, and whether it is looked at too often.
+void check_overdamped(const Scene& scene, SceneCheck& check) {
+  const OverdampedScales& scales = *check.overdamped;
+  const Integrator chosen = chosen_integrator(scene, scales);
+  check.integrator = name_of(chosen);
+  if (scene.dynamics.integrator == Integrator::automatic) check.integrator += ": " + why_chosen(scales);
+  const double look_distance = check.time_step * scales.sinking_speed;
+  constexpr double wanted_distance = 0.2;  // radii
+  const double radius = scales.radius;
+  if (scales.sinking_speed > 0 && look_distance < 0.1 * wanted_distance * radius) {
+    check.advice.push_back(
+        fmt::format("output.history_interval: a free sphere sinks only {:.2g} of its radius in {:.3g} s, and no step "
+                    "is longer; {:.3g} "
+                    "s would let steps grow",
+                    look_distance / radius, check.time_step, wanted_distance * radius / scales.sinking_speed));
+  }
 }
 
 void advise(const Scene& scene, SceneCheck& check) {
@@ -106,20 +124,21 @@ void advise(const Scene& scene, SceneCheck& check) {
   for (const PairCheck& pair : check.pairs) deepest = std::max(deepest, pair.overlap_share);
   const bool hertzian = is_hertzian(scene.contact.normal);
   // Overlaps go as stiffness^(-1/2) in impacts of springs, ^(-2/5) of Hertz' contacts; steps as stiffness^(-1/2).
-  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), hertzian ? 2.5 : 2.0);
+  // Under a load as stiffness^-1 or ^(-2/3).
+  const double power = check.overdamped ? (hertzian ? 1.5 : 1.0) : (hertzian ? 2.5 : 2.0);
+  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), power);
   if (deepest > 0 && softer > 2) {
     check.advice.push_back(fmt::format(
-        "{}: overlaps stay below {:.2g} % of the radius; {:.2g} times less would keep them below {:g} %, with a step "
-        "{:.2g} times as long",
+        "{}: overlaps stay below {:.2g} % of the radius; {:.2g} times less would keep them below {:g} %, with {}",
         hertzian ? "young_modulus" : "normal_stiffness", 100 * deepest, softer, 100 * wanted_overlap,
-        std::sqrt(softer)));
+        check.overdamped ? "less to solve for" : fmt::format("a step {:.2g} times as long", std::sqrt(softer))));
   }
   if (deepest > scene.monitor.overlap_limit) {
     check.advice.push_back(fmt::format(
         "overlaps of up to {:.2g} % of the radius are to be expected, beyond monitor.overlap_limit = {:g} %: raise {}",
         100 * deepest, 100 * scene.monitor.overlap_limit, hertzian ? "young_modulus" : "normal_stiffness"));
   }
-  if (scene.dynamics.time_step && check.time_step < 0.5 * check.limit.recommended) {
+  if (!check.overdamped && scene.dynamics.time_step && check.time_step < 0.5 * check.limit.recommended) {
     check.advice.push_back(fmt::format("dynamics.time_step: {:.3g} us would do, {:.2g} times as long",
                                        1e6 * check.limit.recommended, check.limit.recommended / check.time_step));
   }
@@ -132,15 +151,20 @@ SceneCheck check_scene(const Scene& scene) {
   SceneCheck check;
   check.particles = simulation.particle_count();
   check.size = simulation.scene().box().size();
-  check.time_step = *simulation.scene().dynamics.time_step;
+  check.overdamped = simulation.overdamped();
+  check.time_step = check.overdamped ? look_interval(scene) : *simulation.scene().dynamics.time_step;
   check.limit = simulation.step_limit();
   check.steps = simulation.steps();
   check.warnings = simulation.warnings();
   check.mass = simulation.total_mass();
   check.solid_volume = simulation.solid_volume();
   const std::vector<SmallestParticle> bodies = smallest_particles(scene, simulation.population());
-  check.reference_speed = reference_speed(scene, check, bodies);
-  check_pairs(scene, simulation.population(), check);
+  if (check.overdamped) {
+    check_overdamped(scene, check);
+  } else {
+    check.reference_speed = reference_speed(scene, check, bodies);
+    check_pairs(scene, simulation.population(), check);
+  }
   check_rest(scene, bodies, check);
   check_attraction(scene, bodies, check);
   check_cost(scene, check);

@@ -8,6 +8,7 @@
 
 #include "core/scene.hpp"
 #include "engine/contact/head_on.hpp"
+#include "engine/overdamped_scales.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -31,6 +32,9 @@ struct SceneCheck {
   StepLimit limit;
   std::int64_t steps = 0;
 
+  /// Of overdamped motion, whose steps are looks of the simulation and whose time_step is between two of them.
+  std::optional<OverdampedScales> overdamped;
+  std::string integrator;      ///< the one that runs, and why
   double reference_speed = 0;  ///< of a fall through the domain, or of growing radii [m/s]
   std::vector<PairCheck> pairs;
   /// Overlap at the bottom of the bed, a column's weight on one contact, over the radius; none without gravity.

@@ -13,6 +13,7 @@
 #include "core/geometry.hpp"
 #include "core/version.hpp"
 #include "engine/dynamics/make_particles.hpp"
+#include "engine/dynamics/overdamped.hpp"
 #include "engine/filling/filling.hpp"
 #include "engine/filling/growth.hpp"
 #include "engine/filling/population.hpp"
@@ -64,8 +65,23 @@ bool has_tangential_spring(const Scene& scene) {
   return rotates(scene) && law != TangentialModel::coulomb && law != TangentialModel::haff_werner;
 }
 
+/// Of the particles that a file holds.
+void warn_of_ignored_velocities(const StartingState& start, std::vector<std::string>& warnings) {
+  const bool any =
+      std::any_of(start.velocity.begin(), start.velocity.end(), [](const Vec3& v) { return !v.isZero(0); });
+  if (any)
+    warnings.push_back("filling.path: the file's velocities are left aside: in overdamped motion forces set them");
+}
+
+std::string how_it_ends(double unbalanced, bool at_rest, double time) {
+  return fmt::format("{} at t = {:.6g} s: the largest unbalanced force is {:.3g} of {}",
+                     at_rest ? "at rest" : "not at rest", time, unbalanced,
+                     "the weight, or without gravity of the mean contact force");
+}
+
 /// The scene with "auto" replaced.
 Scene with_choices_made(Scene scene, double dt, const StepLimit& limit) {
+  if (scene.dynamics.overdamped()) return scene;
   scene.dynamics.time_step = dt;
   if (scene.dynamics.contact_velocity == ContactVelocity::automatic) {
     // docs/physics.md: the step's velocity damps friction's springs, the half step's shakes hysteretic beds.
@@ -88,8 +104,9 @@ Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_
 Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring,
                        const StartingState& start)
     : population_(population_of(scene, pouring ? pouring->all() : start)),
-      limit_(engine::step_limit(scene, population_)),
-      dt_(checked_time_step(scene, limit_, warnings_)),
+      scales_(scene.dynamics.overdamped() ? std::optional(overdamped_scales(scene, population_)) : std::nullopt),
+      limit_(scales_ ? overdamped_step_limit(*scales_) : engine::step_limit(scene, population_)),
+      dt_(scales_ ? look_interval(scene) : checked_time_step(scene, limit_, warnings_)),
       scene_(with_choices_made(scene, dt_, limit_)),
       domain_(scene.box()),
       filling_hash_(start.source_hash),
@@ -98,8 +115,13 @@ Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_
       pouring_(std::move(pouring)),
       stages_(scene, dt_),
       particles_(make_particles(scene_, start)),
-      dynamics_(make_newtonian(scene, domain_, boundaries_)),
-      monitor_(scene_, domain_, dt_, limit_.recommended, energy_noise()) {
+      dynamics_(make_dynamics()),
+      monitor_(scene_, domain_, scales_ ? scene.dynamics.time_step.value_or(0) : dt_, limit_.recommended,
+               energy_noise()) {
+  if (scales_) {
+    check_overdamped_step(scene, *scales_, warnings_);
+    warn_of_ignored_velocities(start, warnings_);
+  }
   check_periodic_sides(scene, domain_, largest_radius(population_));
   warn_of_lost_weight(scene, population_, warnings_);
   warn_without_static_friction(scene, population_, warnings_);
@@ -111,7 +133,16 @@ Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_
   }
 }
 
+std::unique_ptr<Dynamics> Simulation::make_dynamics() {
+  if (!scales_) return make_newtonian(scene_, domain_, boundaries_);
+  return make_overdamped(scene_, domain_, boundaries_, chosen_integrator(scene_, *scales_), 2 / scales_->bed_limit);
+}
+
 double Simulation::energy_noise() const {
+  if (scales_) {
+    constexpr double smallest_fall = 1e-6;  // radii, of all
+    return total_mass() * scene_.gravity.acceleration.norm() * smallest_fall * smallest_radius(population_);
+  }
   constexpr double slowest = 1e-9;                                                            // radii a step
   const double fall = scene_.gravity.present ? dt_ * scene_.gravity.acceleration.norm() : 0;  // in one step
   const double speed = slowest * smallest_radius(population_) / dt_ + fall;
@@ -141,6 +172,7 @@ bool Simulation::wants(OutputField field) const {
 void Simulation::account(const StepSums& sums, double share) {
   account_.dissipated_normal += share * sums.dissipated_normal;
   account_.dissipated_tangential += share * sums.dissipated_tangential;
+  account_.dissipated_resistance += share * sums.dissipated_resistance;
   account_.growth_work += share * sums.growth_work;
   account_.wall_work += share * sums.wall_work;
 }
@@ -166,9 +198,21 @@ StepSums Simulation::step(std::int64_t number, bool poured, Recorder* recorder) 
   return sums;
 }
 
+void Simulation::go_on(std::int64_t number) {
+  const Stopwatch clock;
+  StepInput input;
+  input.dt = dt_;
+  const StepSums passed = dynamics_->go_on(particles_, input, time_at(number));
+  loop_seconds_ += clock.seconds();
+  account(passed, 1);
+  account_.gravity_work += passed.gravity_work;
+  monitor_.check_overlap(passed, particles_, time_at(number + 1));
+}
+
 bool Simulation::pour(double time) {
   if (!pouring_ || time == 0) return false;
-  const StartingState more = pouring_->take(time, dt_, particles_, boundaries_);
+  // Overdamped motion is not looked at often.
+  const StartingState more = pouring_->take(time, scales_ ? 0 : dt_, particles_, boundaries_);
   append_particles(particles_, scene_, more);
   for (std::size_t i = 0; i < more.size(); ++i) {
     account_.starting += 0.5 * particles_.mass[particles_.slots() - more.size() + i] * more.velocity[i].squaredNorm();
@@ -205,7 +249,8 @@ void Simulation::run(const SimulationEvents& events) {
     const bool want_snapshot = last || number % snapshot_steps == 0;
     const bool want_history = want_snapshot || number % history_steps == 0;
     if (want_history) {
-      recorder.want_contacts = want_snapshot && scene_.output.contacts;
+      recorder.want_contacts = (want_snapshot && scene_.output.contacts) ||
+                               (scales_ && !scene_.gravity.present);  // whose mean force is wanted
       recorder.velocity.resize(particles_.size());
       recorder.force.resize(particles_.size());
       recorder.angular_velocity.resize(rotates(scene_) ? particles_.size() : 0);
@@ -225,7 +270,7 @@ void Simulation::run(const SimulationEvents& events) {
     }
     account(sums, 0.5);
     account_.gravity_work += sums.gravity_work;  // done between this instant and the next
-    std::swap(particles_.now, particles_.next);
+    go_on(number);
   }
 }
 
@@ -247,15 +292,16 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
   const BedState state =
       frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
-  const double speed = std::sqrt(2 * sums.kinetic_translational / present_mass());
-  if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, speed);
+  const double unrest = scales_ ? sums.unbalanced_force : std::sqrt(2 * sums.kinetic_translational / present_mass());
+  if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, unrest);
   const bool all_in = time >= scene_.filling.over() && (!pouring_ || pouring_->over()) &&
                       (!scene_.gravity.present || gravity_.acts(time));
-  stages_.see(number, speed, all_in);
+  stages_.see(number, unrest, all_in);
+  if (scales_) ending_ = how_it_ends(unrest, stages_.at_rest(), time);
   if (events.history) {
     events.history(history_columns(scene_),
                    history_row(scene_, {number, time, stages_.current(), account, sums, gravitational, state,
-                                        particles_.size(), dynamics_->wall_loads(), boundaries_}));
+                                        particles_.size(), dynamics_->wall_loads(), boundaries_, dynamics_->work()}));
   }
   if (want_snapshot && events.snapshot) events.snapshot(snapshot(number, recorder));
 }

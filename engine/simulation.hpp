@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "engine/filling/starting_state.hpp"
 #include "engine/gravity.hpp"
 #include "engine/monitor.hpp"
+#include "engine/overdamped_scales.hpp"
 #include "engine/stages.hpp"
 #include "engine/time_step.hpp"
 
@@ -49,6 +51,11 @@ class Simulation {
   std::int64_t present_count() const { return static_cast<std::int64_t>(particles_.size()); }
   const Population& population() const { return population_; }
   const StepLimit& step_limit() const { return limit_; }
+  /// Of overdamped motion.
+  const std::optional<OverdampedScales>& overdamped() const { return scales_; }
+  IntegratorWork work() const { return dynamics_->work(); }
+  /// How it ended: at rest or not, and how nearly; empty unless that is known.
+  const std::string& ending() const { return ending_; }
   /// Of all particles, those still to be poured included [kg], and their volume at full size [m3].
   double total_mass() const;
   double solid_volume() const;
@@ -78,6 +85,9 @@ class Simulation {
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
+  /// What brings the particles to the next instant.
+  void go_on(std::int64_t number);
+  std::unique_ptr<Dynamics> make_dynamics();
   /// poured: particles have come in since the step before.
   StepSums step(std::int64_t number, bool poured, Recorder* recorder);
   /// Whether particles came in.
@@ -92,8 +102,9 @@ class Simulation {
 
   std::vector<std::string> warnings_;
   Population population_;
+  std::optional<OverdampedScales> scales_;  ///< none of Newtonian motion
   StepLimit limit_;
-  double dt_ = 0;
+  double dt_ = 0;  ///< of overdamped motion: between two looks
   Scene scene_;
   Domain domain_;
   std::string scene_text_;
@@ -109,6 +120,7 @@ class Simulation {
   Particles particles_;
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;
+  std::string ending_;
   EnergyAccount account_;  ///< what has passed through up to the step's beginning
 };
 

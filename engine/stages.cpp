@@ -8,12 +8,17 @@ namespace packstone::engine {
 std::int64_t steps_in(double time, double dt) { return std::max<std::int64_t>(1, std::llround(time / dt)); }
 
 Stages::Stages(const Scene& scene, double dt) {
+  const bool overdamped = scene.dynamics.overdamped();
   for (const StageSpec& stage : scene.stages) {
-    stages_.push_back({steps_in(stage.duration, dt), steps_in(stage.rest_time, dt), stage.rest_speed.value_or(0)});
+    stages_.push_back(
+        overdamped ? Stage{steps_in(stage.duration, dt), 0, stage.rest_force.value_or(0)}
+                   : Stage{steps_in(stage.duration, dt), steps_in(stage.rest_time, dt), stage.rest_speed.value_or(0)});
   }
   const DynamicsSpec& run = scene.dynamics;
   if (stages_.empty()) {
-    stages_.push_back({steps_in(run.duration, dt), steps_in(run.rest_time, dt), run.rest_speed.value_or(0)});
+    stages_.push_back(overdamped
+                          ? Stage{steps_in(run.duration, dt), 0, run.rest_force.value_or(0)}
+                          : Stage{steps_in(run.duration, dt), steps_in(run.rest_time, dt), run.rest_speed.value_or(0)});
   }
   end_ = stages_.front().steps;
 }
@@ -30,9 +35,9 @@ void Stages::next(std::int64_t step) {
   resting_since_ = -1;
 }
 
-void Stages::see(std::int64_t step, double speed, bool all_in) {
+void Stages::see(std::int64_t step, double unrest, bool all_in) {
   const Stage& stage = stages_[current_];
-  if (!all_in || !(speed < stage.rest_speed)) {
+  if (!all_in || !(unrest < stage.rest)) {
     resting_since_ = -1;
     return;
   }

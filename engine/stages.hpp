@@ -26,13 +26,16 @@ class Stages {
   /// Begins the next one at a step.
   void next(std::int64_t step);
 
-  /// At a step at which the particles' root-mean-square speed [m/s] is known; all_in: none is still to come.
-  void see(std::int64_t step, double speed, bool all_in);
+  /// At a step at which the particles' unrest is known: their root-mean-square speed [m/s], of overdamped motion the
+  /// unbalanced force. all_in: none is still to come.
+  void see(std::int64_t step, double unrest, bool all_in);
+  /// Whether they were at rest when last seen, as the stage defines it.
+  bool at_rest() const { return resting_since_ >= 0; }
 
  private:
   struct Stage {
     std::int64_t steps, rest_steps;
-    double rest_speed;  ///< 0: none
+    double rest;  ///< below which particles are at rest; 0: never
   };
 
   std::vector<Stage> stages_;

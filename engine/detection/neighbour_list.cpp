@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "engine/block_sum.hpp"
 #include "engine/simd/lanes.hpp"
 #include "engine/simd/vector.hpp"
 #include "engine/threads.hpp"
@@ -30,27 +30,13 @@ std::uint32_t entry(std::int32_t slot) { return static_cast<std::uint32_t>(slot)
 
 std::int32_t rows_for(std::int32_t entries, int width) { return (entries + width - 1) / width; }
 
-/// term(0) + ... + term(n-1) on all threads, with the same bits for any number of them.
-template <class Value, class Term>
-Value sum_in_blocks(std::size_t n, const Value& zero, const Term& term) {
-  constexpr std::size_t block = 1024;
-  std::vector<Value> sums((n + block - 1) / block, zero);
-  const auto blocks = static_cast<std::ptrdiff_t>(sums.size());
-#pragma omp parallel for schedule(static) num_threads(useful_threads(n))
-  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = b * block;
-    for (std::size_t k = begin; k < std::min(begin + block, n); ++k) sums[b] += term(k);
-  }
-  return std::accumulate(sums.begin(), sums.end(), zero);
-}
-
 }  // namespace
 
 double NeighbourList::least_periodic_side(double largest_radius, double range) {
   return 2 * (2 * largest_radius + least_margin_share * largest_radius + range);
 }
 
-void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt) {
+void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt, double least_share) {
   slot_before_.clear();
   for (std::size_t s = 0; s < p.slots(); ++s) {
     if (p.is_particle(s)) slot_before_.push_back(static_cast<std::int32_t>(s));
@@ -87,7 +73,8 @@ void NeighbourList::choose_extents(Particles& p, const Growth& growth, double dt
     // Two extents never reach across half the box: then only one image of a neighbour can come into contact.
     const double least = largest_scale_ * own.radius + 0.5 * range_;
     const double room = shortest_side / 4 - least;
-    margin_[k] = std::min(margins.size_share * own.radius + Margins::flight_allowance * margins.life * speed(k), room);
+    const double wanted = margins.size_share * own.radius + Margins::flight_allowance * margins.life * speed(k);
+    margin_[k] = std::min(std::max(wanted, least_share * own.radius), room);
     extent_[k] = least + margin_[k];
   }
 }
@@ -244,9 +231,9 @@ void NeighbourList::make_blocks() {
   }
 }
 
-void NeighbourList::build(Particles& particles, const Growth& growth, double dt) {
+void NeighbourList::build(Particles& particles, const Growth& growth, double dt, double least_share) {
   policy_.learn(std::sqrt(used_squared_), steps_, dt);
-  choose_extents(particles, growth, dt);
+  choose_extents(particles, growth, dt, least_share);
   particles_ = slot_before_.size();
   grid_.build(domain_, position_, extent_);
   search();

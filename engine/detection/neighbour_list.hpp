@@ -39,8 +39,9 @@ class NeighbourList {
   static double least_periodic_side(double largest_radius, double range = 0);
 
   /// Wraps positions into the box along periodic axes, finds every pair whose surfaces are nearer than its margins, and
-  /// moves the particles into slots that keep neighbours close.
-  void build(Particles& particles, const Growth& growth, double dt);
+  /// moves the particles into slots that keep neighbours close. least_share: of its radius, that each may move at
+  /// least.
+  void build(Particles& particles, const Growth& growth, double dt, double least_share = 0);
 
   /// Tells where the particles are after a step: the largest share of its margin that one has used, squared, and the
   /// sum of their displacements since the list was built [m]. A share that is not a number counts as infinite.
@@ -92,7 +93,7 @@ class NeighbourList {
     std::vector<std::uint8_t> images;      ///< whether one is across a periodic side
   };
 
-  void choose_extents(Particles& particles, const Growth& growth, double dt);
+  void choose_extents(Particles& particles, const Growth& growth, double dt, double least_share);
   void search();
   void search_one(std::size_t place, Found& found) const;
   void assign_slots();

@@ -48,6 +48,8 @@ class WallList {
   int width() const { return width_; }
   /// Of a group, whose lanes are divided into parts as wide as lanes of motion.
   const WallSeat& seat(std::size_t group, int part) const { return seats_[group * parts_ + part]; }
+  /// How far boundaries and the particles' mean may have gone together, at most [m].
+  double margin() const { return margin_; }
   /// How far any boundary has gone since the list was built, at most [m].
   double travelled() const;
   std::int64_t rows() const { return static_cast<std::int64_t>(planes_.size()); }

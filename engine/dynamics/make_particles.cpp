@@ -10,7 +10,9 @@ namespace packstone::engine {
 namespace {
 
 /// Whether the rows' velocities are ahead of the half step's, which then have arrays of their own.
-bool leads(const Scene& scene) { return scene.dynamics.contact_velocity != ContactVelocity::half_step; }
+bool leads(const Scene& scene) {
+  return !scene.dynamics.overdamped() && scene.dynamics.contact_velocity != ContactVelocity::half_step;
+}
 
 void add(VectorArray& to, const Vec3& v) {
   to.x.push_back(v[0]);

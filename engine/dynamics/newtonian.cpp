@@ -15,6 +15,7 @@ namespace packstone::engine {
 void StepSums::add(const StepSums& other) {
   dissipated_normal += other.dissipated_normal;
   dissipated_tangential += other.dissipated_tangential;
+  dissipated_resistance += other.dissipated_resistance;
   growth_work += other.growth_work;
   wall_work += other.wall_work;
   gravity_work += other.gravity_work;
@@ -28,6 +29,7 @@ void StepSums::add(const StepSums& other) {
   largest_speed_squared = std::max(largest_speed_squared, other.largest_speed_squared);
   particle_contacts += other.particle_contacts;
   wall_contacts += other.wall_contacts;
+  unbalanced_force = std::max(unbalanced_force, other.unbalanced_force);
 }
 
 bool rotates(const Scene& scene) {

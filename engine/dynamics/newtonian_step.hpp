@@ -1,5 +1,6 @@
 // One step: forces and motion in one pass. The state of instant n is read from one buffer and that of n+1 written to
-// the other. A group of particles goes through it side by side, one a lane (neighbour_list.hpp).
+// the other. A group of particles goes through it side by side, one a lane (neighbour_list.hpp). Or forces alone, for
+// motion that is made elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,8 @@
 
 namespace packstone::engine {
 
-template <class Precision, class Normal, class Tangential>
+/// moves: false leaves the particles where they are and their forces, of contacts, in Particles::force.
+template <class Precision, class Normal, class Tangential, bool moves = true>
 class NewtonianStep final : public Dynamics {
   using Lanes = typename Precision::Lanes;
   using PairLanes = typename Precision::PairLanes;
@@ -40,20 +42,32 @@ class NewtonianStep final : public Dynamics {
   const NeighbourList& neighbours() const override { return list_; }
   const std::vector<WallLoad>& wall_loads() const override { return wall_loads_; }
 
+  NeighbourList& list() { return list_; }
+  WallList& walls() { return walls_; }
+  const ContactForces<Normal, Tangential>& forces() const { return forces_; }
+
   bool outdated(const Growth& growth) const override { return list_.outdated(growth) || walls_.outdated(list_); }
 
-  void rebuild(Particles& particles, const Growth& growth, double dt) override {
+  StepSums go_on(Particles& particles, const StepInput& /*input*/, double /*time*/) override {
+    std::swap(particles.now, particles.next);
+    return {};
+  }
+
+  void rebuild(Particles& particles, const Growth& growth, double dt) override { rebuild(particles, growth, dt, 0); }
+  /// least_share: as in NeighbourList::build.
+  void rebuild(Particles& particles, const Growth& growth, double dt, double least_share) {
     if (seen_ != particles.size()) look_whether_alike(particles);
     if (remembers()) {
       const StoredContacts stored = history_.store(list_, walls_, particles);
-      list_.build(particles, growth, dt);
+      list_.build(particles, growth, dt, least_share);
       walls_.build(list_, particles, dt);
       history_.restore(stored, list_, walls_, particles);
     } else {
-      list_.build(particles, growth, dt);
+      list_.build(particles, growth, dt, least_share);
       walls_.build(list_, particles, dt);
     }
     from_walls_.make_room();
+    if constexpr (!moves) particles.force.resize(particles.slots());
     if constexpr (Precision::compact) particles.make_compact(period_of_places(), 0.5 * (domain_.min + domain_.max));
   }
 
@@ -114,7 +128,7 @@ class NewtonianStep final : public Dynamics {
     }
     from_walls_.sum_up(wall_loads_);
     for (const WallLoad& load : wall_loads_) sums.wall_work += input.dt * load.power;
-    list_.moved(sums.largest_share_squared, displacement, input.dt);
+    if constexpr (moves) list_.moved(sums.largest_share_squared, displacement, input.dt);
     return sums;
   }
 
@@ -309,7 +323,7 @@ class NewtonianStep final : public Dynamics {
     return loads;
   }
 
-  /// Adds what boundaries do, then moves.
+  /// Adds what boundaries do, then moves or keeps the forces.
   template <bool record, class L>
   [[gnu::always_inline]] void finish(Particles& p, const Seats& seats, const WallSeat& walls,
                                      const WallLoads<Lanes>*& from_walls, const Bodies<L>& self, Loads<L> loads,
@@ -321,8 +335,14 @@ class NewtonianStep final : public Dynamics {
       }
       ++from_walls;
     }
-    move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, L::mask(seats.lanes), in,
-                                                            recorder, sums);
+    if constexpr (moves) {
+      move<record, Tangential::active, Precision::compact, L>(p, list_, seats, self, loads, L::mask(seats.lanes), in,
+                                                              recorder, sums);
+    } else {
+      L::store(&p.force.x[seats.slot], loads.force.x);
+      L::store(&p.force.y[seats.slot], loads.force.y);
+      L::store(&p.force.z[seats.slot], loads.force.z);
+    }
   }
 
   /// Long enough that neighbours are less than half of it apart. A power of two, or the side of a periodic box over

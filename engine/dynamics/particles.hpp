@@ -95,6 +95,7 @@ struct Particles {
   Kinematics now, next;
   /// Half a step before `now` [m/s, rad/s]; empty where contacts see these velocities and the rows hold them.
   VectorArray half_velocity, half_angular_velocity;
+  VectorArray force;                      ///< [N]; empty where motion follows at once
   AlignedVector<double> mass;             ///< at full size [kg]; 0 in an empty slot
   AlignedVector<double> inverse_inertia;  ///< at full size, of 2/5 m R^2 [1/(kg m2)]; empty where nothing turns
   std::vector<std::int32_t> id;           ///< no_particle in an empty slot

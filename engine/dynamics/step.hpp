@@ -39,6 +39,7 @@ struct Offence {
 struct StepSums {
   double dissipated_normal = 0;      ///< by normal damping and plastic deformation [J]
   double dissipated_tangential = 0;  ///< by sliding [J]
+  double dissipated_resistance = 0;  ///< against the resistance to overdamped motion [J]
   double growth_work = 0;            ///< of growing radii against contact forces [J]
   double gravity_work = 0;           ///< [J]
   double wall_work = 0;              ///< of moving boundaries on particles [J]
@@ -52,8 +53,9 @@ struct StepSums {
   double largest_speed_squared = 0;    ///< (recorded) [m2/s2]
   std::int64_t particle_contacts = 0;  ///< (recorded) each pair once
   std::int64_t wall_contacts = 0;      ///< (recorded)
+  double unbalanced_force = 0;         ///< (recorded) of overdamped motion, as its rest_force
 
-  double dissipated() const { return dissipated_normal + dissipated_tangential; }
+  double dissipated() const { return dissipated_normal + dissipated_tangential + dissipated_resistance; }
   void add(const StepSums& other);
 };
 
@@ -70,6 +72,13 @@ struct Recorder {
   Contacts contacts;
 };
 
+/// What overdamped motion has cost so far.
+struct IntegratorWork {
+  std::int64_t steps = 0;     ///< taken
+  std::int64_t rejected = 0;  ///< made anew, shorter
+  std::int64_t forces = 0;    ///< times that they were found
+};
+
 /// Equations of motion with one choice of laws.
 class Dynamics {
  public:
@@ -78,8 +87,11 @@ class Dynamics {
   /// Builds the list anew, gives the particles new slots and carries contact history over. dt: of the coming steps [s].
   virtual void rebuild(Particles& particles, const Growth& growth, double dt) = 0;
 
-  /// Forces at `now`, motion into `next`; the caller swaps them. recorder, by id, may be null.
+  /// Forces at `now` and, where they set accelerations, motion into `next`. recorder, by id, may be null.
   virtual StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) = 0;
+
+  /// Makes `now` the next instant, dt after a time [s]. What passed through on the way, where advance does not tell.
+  virtual StepSums go_on(Particles& particles, const StepInput& input, double time) = 0;
 
   /// Whether the list must be built anew before forces are right again, or a narrower one would pay.
   virtual bool outdated(const Growth& growth) const = 0;
@@ -88,6 +100,8 @@ class Dynamics {
   virtual const std::vector<WallLoad>& wall_loads() const = 0;
 
   virtual const NeighbourList& neighbours() const = 0;
+
+  virtual IntegratorWork work() const { return {}; }
 };
 
 /// Combines the scene's laws once. The boundaries must outlive it. Friction that is zero everywhere costs nothing: no

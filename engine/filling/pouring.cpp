@@ -72,10 +72,11 @@ double Pouring::settled_height(const Bed& bed) const {
   return *at;
 }
 
-void Pouring::see(const Bed& bed, double speed) {
+void Pouring::see(const Bed& bed, double unrest) {
   const FillingSpec& f = scene_.filling;
   if (f.fill_height && settled_height(bed) >= *f.fill_height) over_ = true;
-  if (f.portions && poured_ == portion_end_ && speed < *f.rest_speed) begin_portion();
+  if (!f.portions || poured_ != portion_end_) return;
+  if (unrest < (scene_.dynamics.overdamped() ? *f.rest_force : *f.rest_speed)) begin_portion();
 }
 
 StartingState Pouring::take(double time, double dt, const Particles& particles, const Boundaries& boundaries) {

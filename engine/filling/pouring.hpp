@@ -32,8 +32,8 @@ class Pouring {
     const std::vector<Vec3>& force;     ///< contacts and gravity [N]
     Vec3 gravity;                       ///< [m/s2]
   };
-  /// speed: root-mean-square [m/s].
-  void see(const Bed& bed, double speed);
+  /// unrest: root-mean-square speed [m/s], of overdamped motion unbalanced force.
+  void see(const Bed& bed, double unrest);
 
   /// Those that come in now, as many as are due and find room at random places of the region; none at most steps.
   StartingState take(double time, double dt, const Particles& particles, const Boundaries& boundaries);

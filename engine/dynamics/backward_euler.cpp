@@ -1,0 +1,112 @@
+// Backward Euler: x1 = x0 + h v(x1), by Newton's method with the contacts' stiffnesses and prestress; each linear
+// system by conjugate gradients, preconditioned by the 3 x 3 blocks on its diagonal. Overdamped motion runs down its
+// energy, and this method does so for any step.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/block_sum.hpp"
+#include "engine/dynamics/integrator.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr int most_newton_steps = 12;
+constexpr int most_conjugate_directions = 400;
+constexpr double residual_share = 0.002;  ///< of the step's tolerance, that solving may leave
+constexpr double forcing = 0.03;          ///< residual that a linear system may leave, of what it began with
+
+double dot_of(const SlotVectors& a, const SlotVectors& b) {
+  return sum_in_blocks<double>(a.size(), 0.0, [&](std::size_t s) { return a[s].dot(b[s]); });
+}
+
+class BackwardEuler final : public OverdampedMethod {
+ public:
+  explicit BackwardEuler(double tolerance) : residual_limit_(residual_share * tolerance) {}
+
+  Attempt attempt(OverdampedSystem& system, const MotionStep& step) override {
+    const std::size_t n = system.slots();
+    const double h = step.length, time = step.time + h;
+    step.x1.resize(n);
+    step.v1.resize(n);
+    residual_.resize(n);
+    for_each_index(n, [&](std::size_t s) { step.x1[s] = step.x0[s] + h * step.v0[s]; });
+    Attempt made;
+    made.solved = false;
+    for (int k = 0; k <= most_newton_steps && !made.solved; ++k) {
+      made.sums = system.velocities(time, h, step.x1, velocity_);
+      for_each_index(n, [&](std::size_t s) { residual_[s] = step.x0[s] + h * velocity_[s] - step.x1[s]; });
+      const double left = system.size_of(residual_);
+      if (!std::isfinite(left)) return made;
+      made.solved = left <= residual_limit_;
+      if (made.solved || k == most_newton_steps) break;
+      correct(system, time, h, step.x1);
+    }
+    for_each_index(n, [&](std::size_t s) {
+      step.v1[s] = (step.x1[s] - step.x0[s]) / h;
+      residual_[s] = 0.5 * h * (step.v1[s] - step.v0[s]);
+    });
+    made.error = system.size_of(residual_);
+    return made;
+  }
+
+  int error_order() const override { return 2; }
+  bool ends_with_velocity() const override { return false; }
+  double stable_step(OverdampedSystem&, double) override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  /// One step of Newton's method.
+  void correct(OverdampedSystem& system, double time, double h, SlotVectors& x) {
+    const std::vector<double>& mobility = system.mobility();
+    const std::size_t n = x.size();
+    const ContactMatrix& matrix = system.linearised(time);
+    matrix.invert_diagonal(mobility, 1 / h, inverse_);
+    correction_.assign(n, Vec3::Zero());
+    direction_.assign(n, Vec3::Zero());
+    image_.assign(n, Vec3::Zero());
+    preconditioned_.assign(n, Vec3::Zero());
+    const auto precondition = [&] {
+      for_each_index(n, [&](std::size_t s) {
+        if (mobility[s] > 0) preconditioned_[s] = inverse_[s] * residual_[s];
+      });
+    };
+    for_each_index(n, [&](std::size_t s) {
+      residual_[s] = mobility[s] > 0 ? Vec3(residual_[s] / (h * mobility[s])) : Vec3::Zero();  // a force
+    });
+    precondition();
+    direction_ = preconditioned_;
+    double square = dot_of(residual_, preconditioned_);
+    const double enough = forcing * forcing * square;
+    for (int k = 0; k < most_conjugate_directions && square > enough; ++k) {
+      matrix.multiply(mobility, 1 / h, direction_, image_);
+      const double curvature = dot_of(direction_, image_);
+      if (!(curvature > 0)) {  // prestress outweighs stiffness and resistance: what was found so far must do
+        if (k == 0) correction_ = preconditioned_;
+        break;
+      }
+      const double length = square / curvature;
+      for_each_index(n, [&](std::size_t s) {
+        correction_[s] += length * direction_[s];
+        residual_[s] -= length * image_[s];
+      });
+      precondition();
+      const double before = std::exchange(square, dot_of(residual_, preconditioned_));
+      for_each_index(n, [&](std::size_t s) { direction_[s] = preconditioned_[s] + square / before * direction_[s]; });
+    }
+    for_each_index(n, [&](std::size_t s) { x[s] += correction_[s]; });
+  }
+
+  double residual_limit_;  ///< over the mean radius
+  SlotVectors velocity_, residual_, correction_, direction_, image_, preconditioned_;
+  std::vector<Mat3> inverse_;
+};
+
+}  // namespace
+
+std::unique_ptr<OverdampedMethod> make_backward_euler(double tolerance) {
+  return std::make_unique<BackwardEuler>(tolerance);
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,242 @@
+#include "engine/dynamics/overdamped.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "engine/block_sum.hpp"
+#include "engine/filling/growth.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+constexpr double longest_move = 0.25;       ///< of its radius, that a particle may make in a step chosen by tolerance
+constexpr double planned_move = 0.2;        ///< of it, at the speed that it has
+constexpr double longest_given_move = 0.5;  ///< in a given step: farther, it could go through a boundary
+constexpr double list_share = 0.3;          ///< of its radius, that each particle may move while a list serves
+constexpr double growth_in_step = 0.02;     ///< of the full radius
+constexpr double most_longer = 2, most_shorter = 0.2, safety = 0.9;  ///< of a step's length to the one before
+constexpr double shortest_share = 1e-12;  ///< of the time to go: a step so short goes nowhere
+
+}  // namespace
+
+std::unique_ptr<Dynamics> make_overdamped(const Scene& scene, const Domain& domain, Boundaries& boundaries,
+                                          Integrator integrator, double bed_rate) {
+  auto method = integrator == Integrator::euler ? make_euler(bed_rate)
+                : integrator == Integrator::rkc ? make_runge_kutta_chebyshev(bed_rate)
+                                                : make_backward_euler(*scene.dynamics.tolerance);
+  return std::make_unique<Overdamped>(scene, domain, boundaries, std::move(method));
+}
+
+Overdamped::Overdamped(const Scene& scene, const Domain& domain, Boundaries& boundaries,
+                       std::unique_ptr<OverdampedMethod> method)
+    : scene_(scene), system_(scene, domain, boundaries), method_(std::move(method)) {}
+
+bool Overdamped::outdated(const Growth& growth) const {
+  return system_.field().neighbours().outdated(growth) || system_.field().walls().outdated(neighbours());
+}
+
+void Overdamped::rebuild(Particles& particles, const Growth& growth, double dt) {
+  const double length = length_ > 0 ? std::min(length_, dt) : dt;
+  system_.field().rebuild(particles, growth, length, list_share);
+  system_.take(particles);
+  fresh_ = fresh_ || mobile_ != particles.size();
+  mobile_ = particles.size();
+}
+
+void Overdamped::renew_list(Particles& particles, double time, double dt, double least_share) {
+  system_.field().rebuild(particles, growth_at(scene_, time), dt, least_share);
+  system_.take(particles);
+}
+
+StepSums Overdamped::advance(Particles& particles, const StepInput& input, Recorder* recorder) {
+  StepSums sums = system_.field().find(particles, input, recorder);
+  growth_power_ = sums.growth_work / input.dt;
+  wall_power_ = sums.wall_work / input.dt;
+  sums.growth_work = sums.wall_work = 0;  // go_on tells them
+  if (fresh_ || method_->ends_with_velocity()) {
+    for_each_index(particles.slots(), [&](std::size_t s) {
+      if (!particles.is_particle(s)) return;
+      particles.now.rows[s].velocity =
+          system_.mobility()[s] * (particles.force.get(s) + particles.mass[s] * input.gravity);
+    });
+    fresh_ = false;
+  }
+  if (recorder) record(particles, input, *recorder, sums);
+  return sums;
+}
+
+void Overdamped::record(const Particles& particles, const StepInput& input, Recorder& recorder, StepSums& sums) const {
+  const double gravity = input.gravity.norm();
+  double largest = 0;  // over the weight where there is any [N]
+  for (std::size_t s = 0; s < particles.slots(); ++s) {
+    if (!particles.is_particle(s)) continue;
+    const Vec3 force = particles.force.get(s) + particles.mass[s] * input.gravity;
+    const Vec3 velocity = system_.mobility()[s] * force;
+    recorder.force[particles.id[s]] = force;
+    recorder.velocity[particles.id[s]] = velocity;
+    sums.largest_speed_squared = std::max(sums.largest_speed_squared, velocity.squaredNorm());
+    largest = std::max(largest, gravity > 0 ? force.norm() / (particles.mass[s] * gravity) : force.norm());
+  }
+  sums.unbalanced_force = largest;
+  if (gravity > 0 || largest == 0) return;
+  double sum = 0;
+  for (const Vec3& force : recorder.contacts.force) sum += force.norm();
+  const auto contacts = static_cast<double>(recorder.contacts.force.size());
+  sums.unbalanced_force = contacts > 0 ? largest * contacts / sum : std::numeric_limits<double>::infinity();
+}
+
+void Overdamped::read(const Particles& particles) {
+  x0_.resize(particles.slots());
+  v0_.resize(particles.slots());
+  for_each_index(particles.slots(), [&](std::size_t s) {
+    const bool there = particles.is_particle(s);
+    x0_[s] = there ? particles.now.rows[s].position : Vec3::Zero();
+    v0_[s] = there ? particles.now.rows[s].velocity : Vec3::Zero();
+  });
+}
+
+void Overdamped::write(Particles& particles, const SlotVectors& x, const SlotVectors& v) const {
+  for_each_index(particles.slots(), [&](std::size_t s) {
+    if (!particles.is_particle(s)) return;
+    particles.now.rows[s].position = x[s];
+    particles.now.rows[s].velocity = v[s];
+  });
+}
+
+double Overdamped::longest_step(const Particles& particles, double time, double until) {
+  double fastest = 0;  // radii a second
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < particles.slots(); ++s) {
+    if (!particles.is_particle(s)) continue;
+    const Row& row = particles.now.rows[s];
+    fastest = std::max(fastest, row.velocity.norm() / row.radius);
+    smallest = std::min(smallest, row.radius);
+  }
+  double longest = std::min(until, method_->stable_step(system_, time));
+  if (fastest > 0) longest = std::min(longest, planned_move / fastest);
+  const double growth_rate = growth_at(scene_, time).rate;
+  if (growth_rate > 0) longest = std::min(longest, growth_in_step / growth_rate);
+  for (std::size_t k = 0; k < system_.boundaries().size(); ++k) {
+    const Boundaries::Body& body = system_.boundaries()[k];
+    if (body.present && body.speed > 0) longest = std::min(longest, planned_move * smallest / body.speed);
+  }
+  return longest;
+}
+
+Overdamped::Moved Overdamped::moved(const Particles& particles, double length) const {
+  const NeighbourList& list = neighbours();
+  const VectorArray& from = list.reference();
+  const std::size_t n = particles.slots();
+  Moved all;
+  all.sum = sum_in_blocks<Vec3>(n, Vec3::Zero(), [&](std::size_t s) {
+    return particles.is_particle(s) ? Vec3(x1_[s] - from.get(s)) : Vec3(Vec3::Zero());
+  });
+  const Vec3 common = all.sum / static_cast<double>(std::max<std::size_t>(particles.size(), 1));
+  for (std::size_t s = 0; s < n; ++s) {
+    if (!particles.is_particle(s)) continue;
+    const Vec3 step = x1_[s] - x0_[s];
+    const double far = step.norm() / particles.now.rows[s].radius;
+    all.farthest = std::isfinite(far) ? std::max(all.farthest, far) : std::numeric_limits<double>::infinity();
+    all.share_squared =
+        std::max(all.share_squared, (x1_[s] - from.get(s) - common).squaredNorm() * list.inverse_margin_squared()[s]);
+    all.heat += step.squaredNorm() / (length * system_.mobility()[s]);
+    all.work += system_.weight(s).dot(step);
+  }
+  return all;
+}
+
+bool Overdamped::list_held(const Particles& particles, const Moved& moved, double time) const {
+  const WallList& walls = system_.field().walls();
+  const double common = moved.sum.norm() / static_cast<double>(std::max<std::size_t>(particles.size(), 1));
+  return moved.share_squared < 1 && walls.travelled() + common <= walls.margin() &&
+         growth_at(scene_, time).scale <= neighbours().largest_scale();
+}
+
+double Overdamped::next_length(double length, double error) const {
+  const double share =
+      error > 0 ? safety * std::pow(*scene_.dynamics.tolerance / error, 1.0 / method_->error_order()) : most_longer;
+  return length * std::clamp(share, most_shorter, most_longer);
+}
+
+void Overdamped::fail_at(double time, double length, const Moved& moved) {
+  if (scene_.dynamics.time_step) {
+    throw RunError(fmt::format(
+        "t = {:.6g} s: a particle moves {:.3g} of its radius in one step of {:.3g} s, more than {:g}: the step is "
+        "beyond "
+        "what {} can follow here; shorten dynamics.time_step or leave it to \"auto\"",
+        time, moved.farthest, length, longest_given_move,
+        method_->stable_step(system_, time) < length ? "the explicit scheme's stability" : "the integrator"));
+  }
+  throw RunError(
+      fmt::format("t = {:.6g} s: no step is short enough, {:.3g} s was not: a particle moves {:.3g} of its "
+                  "radius; look for particles that start inside each other or a boundary",
+                  time, length, moved.farthest));
+}
+
+StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double time) {
+  const double end = time + input.dt;
+  const double given = scene_.dynamics.time_step.value_or(0);
+  const double tolerance = *scene_.dynamics.tolerance;
+  StepSums passed;
+  double share = list_share;
+  system_.forget_instant();
+  for (double now = time; now < end;) {
+    if (outdated(growth_at(scene_, now))) {
+      renew_list(particles, now, std::min(length_ > 0 ? length_ : input.dt, end - now), list_share);
+    }
+    read(particles);
+    const double left = end - now;
+    double length = given > 0 ? input.dt / std::ceil(input.dt / given) : longest_step(particles, now, input.dt);
+    if (given == 0 && length_ > 0) length = std::min(length, length_);
+    const double planned = length;
+    const bool last = length * (1 + 1e-9) >= left;
+    if (last) {
+      length = left;
+    } else if (given == 0 && 2 * length > left) {
+      length = 0.5 * left;
+    }
+    const Attempt attempt = method_->attempt(system_, {now, length, x0_, v0_, x1_, v1_});
+    const Moved step = attempt.solved ? moved(particles, length) : Moved{std::numeric_limits<double>::infinity()};
+    const bool short_enough = step.farthest <= (given > 0 ? longest_given_move : longest_move);
+    const bool held = attempt.solved && list_held(particles, step, now + length);
+    if (!short_enough || !held || (given == 0 && attempt.error > tolerance)) {
+      ++rejected_;
+      write(particles, x0_, v0_);
+      if (given > 0 && !short_enough) fail_at(now, length, step);
+      if (!short_enough) {
+        length_ = 0.5 * length;
+      } else if (given == 0 && attempt.error > tolerance) {
+        length_ = next_length(length, attempt.error);
+      } else {  // the list served no farther; if it was new, margins were too narrow
+        system_.field().neighbours().moved(step.share_squared, step.sum, length);
+        share = std::min(2 * share, 1.0);
+        renew_list(particles, now, length, share);
+        length_ = given > 0 ? 0 : 0.5 * length;
+      }
+      if (length < shortest_share * input.dt) fail_at(now, length, step);
+      continue;
+    }
+    write(particles, x1_, v1_);
+    system_.field().neighbours().moved(step.share_squared, step.sum, length);
+    share = list_share;
+    ++steps_;
+    passed.dissipated_resistance += step.heat;
+    passed.gravity_work += step.work;
+    passed.growth_work += 0.5 * (length * growth_power_ + attempt.sums.growth_work);
+    passed.wall_work += 0.5 * (length * wall_power_ + attempt.sums.wall_work);
+    growth_power_ = attempt.sums.growth_work / length;
+    wall_power_ = attempt.sums.wall_work / length;
+    if (!passed.offence) passed.offence = attempt.sums.offence;
+    length_ = std::max(next_length(length, attempt.error), length < planned ? planned : 0.0);
+    now = last ? end : now + length;
+  }
+  return passed;
+}
+
+}  // namespace packstone::engine

@@ -1,0 +1,349 @@
+// Overdamped motion against what is known of it exactly.
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "core/error.hpp"
+#include "engine/dynamics/make_particles.hpp"
+#include "engine/dynamics/overdamped.hpp"
+#include "engine/simulation.hpp"
+
+using namespace packstone;
+using namespace packstone::engine;
+using Catch::Contains;
+
+namespace {
+
+constexpr double radius = 0.02, density = 1200, resistance_of_each = 3.7, stiffness = 1e4;
+const double mass = density * 4 / 3 * std::numbers::pi * radius * radius * radius;
+const double weight = mass * 9.8;
+
+const std::string floor_plane =
+    "[[boundary]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+
+/// dynamics: further keys of that table; further: other tables.
+Scene scene_of(const std::string& dynamics, const std::string& further = "", const std::string& contact = "") {
+  return parse_scene("[dynamics]\nkind = \"overdamped\"\nduration = 1\n" + dynamics + R"(
+[domain]
+min = [0, 0, 0]
+max = [1, 1, 1]
+[contact]
+)" + (contact.empty() ? "normal = \"linear\"\n" : contact) +
+                         R"(
+[[material]]
+name = "m"
+density = 1200
+normal_stiffness = 1e4
+young_modulus = 1e6
+poisson_ratio = 0.3
+[[particles]]
+material = "m"
+count = 1
+radius = 0.02
+[filling]
+kind = "random"
+[gravity]
+acceleration = [0, 0, -9.8]
+[output]
+interval = 0.1
+)" + further,
+                     "overdamped");
+}
+
+Scene with_constant(const std::string& integrator, double time_step, const std::string& further = "",
+                    const std::string& contact = "") {
+  return scene_of("viscosity = 3.7\ntolerance = 1e-6\nintegrator = \"" + integrator +
+                      fmt::format("\"\ntime_step = {}\n", time_step),
+                  further, contact);
+}
+
+/// Spheres placed by hand, moved for a time.
+class ByHand {
+ public:
+  ByHand(const Scene& scene, const std::vector<Vec3>& positions) : scene_(scene), boundaries_(scene, scene.box()) {
+    StartingState start;
+    start.position = positions;
+    start.velocity.assign(positions.size(), Vec3::Zero());
+    start.angular_velocity = start.velocity;
+    start.radius.assign(positions.size(), radius);
+    start.type.assign(positions.size(), 0);
+    particles_ = make_particles(scene, start);
+    const double bed_rate = 10 * stiffness / resistance_of_each;
+    dynamics_ = make_overdamped(scene_, scene.box(), boundaries_, scene.dynamics.integrator, bed_rate);
+  }
+
+  void go_on(double duration) {
+    StepInput input{duration, {}, Vec3(0, 0, -9.8), 0.5, 0.0};
+    boundaries_.go_to(time_, duration, 0);
+    if (dynamics_->outdated({})) dynamics_->rebuild(particles_, {}, duration);
+    dynamics_->advance(particles_, input, nullptr);
+    passed = dynamics_->go_on(particles_, input, time_);
+    time_ += duration;
+  }
+
+  Vec3 position(std::int32_t id) const {
+    const auto at = std::find(particles_.id.begin(), particles_.id.end(), id) - particles_.id.begin();
+    return particles_.now.rows[static_cast<std::size_t>(at)].position;
+  }
+  IntegratorWork work() const { return dynamics_->work(); }
+
+  StepSums passed;
+
+ private:
+  Scene scene_;
+  Boundaries boundaries_;
+  Particles particles_;
+  std::unique_ptr<Dynamics> dynamics_;
+  double time_ = 0;
+};
+
+/// Heights of a chain of equal spheres on a floor, every contact closed, a time after they were at z0: what
+/// mu dz/dt = -K z + b gives, from K's eigenvectors.
+Eigen::VectorXd chain_after(const Eigen::VectorXd& z0, double time) {
+  const auto n = z0.size();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd b = Eigen::VectorXd::Constant(n, -weight);
+  K(0, 0) += stiffness;
+  b(0) += stiffness * radius;
+  for (Eigen::Index i = 0; i + 1 < n; ++i) {
+    K.block(i, i, 2, 2) += stiffness * (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+    b(i) -= stiffness * 2 * radius;
+    b(i + 1) += stiffness * 2 * radius;
+  }
+  const Eigen::VectorXd rest = K.ldlt().solve(b);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
+  const Eigen::VectorXd decay = (-time / resistance_of_each * modes.eigenvalues()).array().exp();
+  return rest + modes.eigenvectors() * decay.asDiagonal() * modes.eigenvectors().transpose() * (z0 - rest);
+}
+
+Eigen::VectorXd chain_at_start() {
+  Eigen::VectorXd z(5);
+  z << 0.99, 2.965, 4.94, 6.93, 8.9;  // radii: pressed, unevenly
+  return radius * z;
+}
+
+double chain_error(const std::string& integrator, double time_step) {
+  constexpr double time = 4e-3;  // 11 mu/k
+  const Eigen::VectorXd z0 = chain_at_start();
+  std::vector<Vec3> positions;
+  for (const double z : z0) positions.emplace_back(0.5, 0.5, z);
+  ByHand chain(with_constant(integrator, time_step, floor_plane), positions);
+  chain.go_on(time);
+  const Eigen::VectorXd exact = chain_after(z0, time);
+  double error = 0;
+  for (Eigen::Index i = 0; i < z0.size(); ++i) {
+    error = std::max(error, std::abs(chain.position(static_cast<std::int32_t>(i)).z() - exact(i)));
+  }
+  return error / radius;
+}
+
+struct Ran {
+  Snapshot last;
+  std::vector<std::map<std::string, double>> history;
+  std::string ending;
+  std::vector<std::string> warnings;
+};
+
+Ran run(const Scene& scene) {
+  Simulation simulation(scene);
+  Ran ran;
+  SimulationEvents events;
+  events.snapshot = [&](const Snapshot& s) { ran.last = s; };
+  events.history = [&](const auto& columns, const auto& row) {
+    ran.history.emplace_back();
+    for (std::size_t k = 0; k < row.size(); ++k) ran.history.back()[columns[k]] = row[k];
+  };
+  simulation.run(events);
+  ran.ending = simulation.ending();
+  ran.warnings = simulation.warnings();
+  return ran;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere sinks at its weight over its resistance, constant or Stokes'") {
+  const double stokes = 6 * std::numbers::pi * radius * 0.5;
+  for (const std::string integrator : {"euler", "rkc", "implicit"}) {
+    for (const auto& [key, resistance] : {std::pair{"viscosity = 3.7", 3.7}, {"stokes_viscosity = 0.5", stokes}}) {
+      ByHand one(scene_of(key + std::string("\nintegrator = \"") + integrator + "\"\n"), {Vec3(0.5, 0.5, 0.9)});
+      const double time = 0.3;
+      one.go_on(time);
+      CHECK(0.9 - one.position(0).z() == Approx(time * weight / resistance).epsilon(1e-10));
+      // All that gravity gives goes into the fluid.
+      CHECK(one.passed.dissipated_resistance == Approx(one.passed.gravity_work).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE("a group's own resistance comes before the scene's") {
+  const Scene scene = scene_of("viscosity = 3.7\n");
+  Scene own = scene;
+  own.particles[0].resistance.fluid_viscosity = 2;
+  CHECK(resistance(scene, 0, radius) == 3.7);
+  CHECK(resistance(own, 0, radius) == Approx(12 * std::numbers::pi * radius));
+}
+
+TEST_CASE("a pressed pair relaxes as an exponential") {
+  for (const std::string integrator : {"euler", "rkc", "implicit"}) {
+    const double overlap = 0.02 * radius, time = 5e-4, rate = 2 * stiffness / resistance_of_each;
+    Scene scene = with_constant(integrator, integrator == "rkc" ? 1e-5 : 1e-7);
+    scene.gravity.present = false;
+    ByHand pair(scene, {Vec3(0.5, 0.5, 0.5), Vec3(0.5 + 2 * radius - overlap, 0.5, 0.5)});
+    pair.go_on(time);
+    const double left = 2 * radius - (pair.position(1) - pair.position(0)).norm();
+    CHECK(left == Approx(overlap * std::exp(-rate * time)).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("a chain on a floor relaxes as the linear system's exponential, each integrator with its order") {
+  const auto order = [](const std::string& integrator, double step) {
+    return std::log2(chain_error(integrator, step) / chain_error(integrator, 0.5 * step));
+  };
+  CHECK(order("euler", 5e-5) == Approx(1).margin(0.1));
+  CHECK(order("implicit", 5e-5) == Approx(1).margin(0.1));
+  CHECK(order("rkc", 6.25e-5) == Approx(2).margin(0.1));  // of two stages; more of them have another error's factor
+  CHECK(chain_error("euler", 1e-5) < 1e-4);
+  CHECK(chain_error("rkc", 1e-4) < 1e-4);
+  CHECK(chain_error("implicit", 1e-5) < 1e-4);
+}
+
+TEST_CASE("steps chosen by tolerance bring the chain to rest, long ones where the method can") {
+  std::map<std::string, std::int64_t> steps;
+  for (const std::string integrator : {"euler", "rkc", "implicit"}) {
+    std::vector<Vec3> positions;
+    for (const double z : chain_at_start()) positions.emplace_back(0.5, 0.5, z);
+    ByHand chain(scene_of("viscosity = 3.7\nintegrator = \"" + integrator + "\"\n", floor_plane), positions);
+    chain.go_on(1.0);
+    const Eigen::VectorXd rest = chain_after(chain_at_start(), 1.0);
+    for (int i = 0; i < 5; ++i) CHECK(std::abs(chain.position(i).z() - rest(i)) < 1e-5 * radius);
+    steps[integrator] = chain.work().steps;
+  }
+  CHECK(steps["euler"] > 2000);
+  CHECK(steps["rkc"] < 200);
+  CHECK(steps["implicit"] < 50);
+}
+
+TEST_CASE("a Hertzian sphere on a floor comes to rest under its weight") {
+  for (const std::string integrator : {"euler", "rkc", "implicit"}) {
+    ByHand one(scene_of("viscosity = 3.7\nintegrator = \"" + integrator + "\"\n", floor_plane, "normal = \"hertz\"\n"),
+               {Vec3(0.5, 0.5, 0.999 * radius)});
+    one.go_on(2.0);
+    const double effective = 1e6 / (2 * (1 - 0.09));
+    const double overlap = std::pow(weight / (4.0 / 3 * std::sqrt(radius) * effective), 2.0 / 3);
+    CHECK(radius - one.position(0).z() == Approx(overlap).epsilon(1e-3));
+  }
+}
+
+namespace {
+
+/// Spheres falling onto a floor between periodic sides.
+Scene bed_scene(const std::string& dynamics, int count, const std::string& filling = "kind = \"random\"",
+                const std::string& particles = "radius = 0.01") {
+  return parse_scene(fmt::format(R"(
+[dynamics]
+kind = "overdamped"
+viscosity = 3.7
+{}
+[domain]
+min = [0, 0, 0]
+max = [0.12, 0.12, 0.5]
+periodic = ["x", "y"]
+open = ["z+"]
+[gravity]
+[contact]
+normal = "linear"
+[[material]]
+name = "m"
+density = 2500
+normal_stiffness = 1e4
+[[particles]]
+material = "m"
+count = {}
+{}
+[filling]
+{}
+{}
+[output]
+interval = 10
+history_interval = 0.1
+)",
+                                 dynamics, count, particles, filling, floor_plane),
+                     "bed");
+}
+
+}  // namespace
+
+TEST_CASE("overdamped motion has the same bits for any number of threads") {
+  const int threads = omp_get_max_threads();
+  for (const std::string integrator : {"euler", "rkc", "implicit"}) {
+    std::vector<std::vector<Vec3>> ends;
+    for (const int count : {1, 2}) {
+      omp_set_num_threads(count);
+      ends.push_back(run(bed_scene("duration = 0.05\nintegrator = \"" + integrator + "\"", 1000,
+                                   "kind = \"lattice\"\nlattice = \"bcc\"", "radius = 0.0095"))
+                         .last.position);
+    }
+    CHECK(ends[0] == ends[1]);
+  }
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("a bed ends at rest by the balance of forces") {
+  const Ran ran = run(bed_scene("duration = 60\nrest_force = 1e-3\nintegrator = \"rkc\"", 150));
+  const auto& last = ran.history.back();
+  CHECK_THAT(ran.ending, Contains("at rest") && !Contains("not at rest"));
+  CHECK(last.at("time") < 59);
+  CHECK(last.at("unbalanced_force") < 1e-3);
+  CHECK(last.at("kinetic_translational") == 0);
+  // The floor carries all of them.
+  const double bed_weight = 150 * 2500 * 4.0 / 3 * std::numbers::pi * 1e-6 * 9.8;
+  CHECK(-last.at("floor.force_z") == Approx(bed_weight).epsilon(1e-4));
+  CHECK(last.at("dissipated") == Approx(last.at("gravity_work") - last.at("elastic")).epsilon(1e-2));
+  CHECK_THAT(run(bed_scene("rest_force = 1e-3\nduration = 0.2", 20)).ending, Contains("not at rest"));
+}
+
+TEST_CASE("an explicit step beyond what a bed allows is refused, warned of, or stopped in plain words") {
+  CHECK_THROWS_WITH(run(bed_scene("duration = 60\nintegrator = \"euler\"\ntime_step = 5e-4", 50)),
+                    Contains("beyond explicit Euler's limit, 0.00037 s") && Contains("t_0 = mu/k = 0.00037 s"));
+  Scene scene = bed_scene("integrator = \"euler\"\ntime_step = 3.6e-4\nduration = 20", 150);
+  scene.monitor.overlap_limit = 0.9;
+  CHECK_THROWS_WITH(run(scene), Contains("t = ") && Contains("explicit"));
+  CHECK(Simulation(scene).warnings().size() == 1);
+}
+
+TEST_CASE("what does not go with overdamped motion is refused, and the other way round") {
+  const auto refused = [](const std::string& dynamics, const std::string& further, const std::string& contact) {
+    try {
+      scene_of(dynamics, further, contact);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("taken");
+  };
+  const std::string mu = "viscosity = 3.7\n";
+  CHECK_THAT(refused("", "", ""), Contains("needs viscosity"));
+  CHECK_THAT(refused(mu + "stokes_viscosity = 1\n", "", ""), Contains("keep one of the two"));
+  CHECK_THAT(refused(mu, "", "normal = \"hysteretic\"\n"), Contains("contact.normal: does not go with"));
+  CHECK_THAT(refused(mu, "", "normal = \"linear\"\ntangential = \"coulomb\"\n"), Contains("neither turn nor rub"));
+  CHECK_THAT(refused(mu, "", "normal = \"linear\"\n[contact.van_der_waals]\nhamaker = 1e-19\n"),
+             Contains("only repel"));
+  CHECK_THAT(refused(mu + "rest_speed = 1\n", "", ""), Contains("take rest_force"));
+  CHECK_THAT(refused(mu + "precision = \"mixed\"\n", "", ""), Contains("double precision"));
+  CHECK_THAT(refused(mu + "contact_velocity = \"step\"\n", "", ""), Contains("see no velocity"));
+  CHECK_THAT(refused(mu + "time_step = 1e-5\n", "", ""), Contains("name the integrator"));
+  CHECK_THAT(refused(mu, "[[material]]\nname = \"n\"\ndensity = 1\nnormal_stiffness = 1\nrestitution = 0.5\n", ""),
+             Contains("material[1].restitution: does not go with"));
+  CHECK_THAT(refused(mu, "[[material]]\nname = \"n\"\ndensity = 1\nnormal_stiffness = 1\nfriction = 0.5\n", ""),
+             Contains("forces are central"));
+  const Scene scene = scene_of(mu);
+  CHECK(to_toml(parse_scene(to_toml(scene), "again")) == to_toml(scene));
+  std::string newtonian = to_toml(scene);
+  newtonian.replace(newtonian.find("overdamped"), 10, "newtonian");
+  CHECK_THROWS_WITH(parse_scene(newtonian, "n"), Contains("goes with dynamics.kind = \"overdamped\""));
+}
