@@ -94,7 +94,7 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
   v.choice(
       {"integrator",
        "overdamped. euler: explicit, first order. rkc: explicit, stabilised (Runge-Kutta-Chebyshev), second order. "
-       "implicit: backward Euler, first order, for long steps of stiff beds. auto: whichever suits the stiffness"},
+       "implicit: backward Euler, first order, stable at any step, slower in beds. auto: rkc"},
       {"auto", "euler", "rkc", "implicit"}, d.integrator, has_default);
   v.number({"tolerance",
             "overdamped: error of one step in the particles' positions, root mean square over the mean radius; 0.01 "

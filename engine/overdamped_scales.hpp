@@ -24,10 +24,8 @@ struct OverdampedScales {
 OverdampedScales overdamped_scales(const Scene& scene, const Population& population);
 
 /// The scene's integrator, or the one that "auto" takes.
-Integrator chosen_integrator(const Scene& scene, const OverdampedScales& scales);
+Integrator chosen_integrator(const Scene& scene);
 const char* name_of(Integrator integrator);
-/// In a sentence.
-std::string why_chosen(const OverdampedScales& scales);
 
 /// As step_limit; contact_time is t_0.
 StepLimit overdamped_step_limit(const OverdampedScales& scales);

@@ -135,7 +135,7 @@ Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_
 
 std::unique_ptr<Dynamics> Simulation::make_dynamics() {
   if (!scales_) return make_newtonian(scene_, domain_, boundaries_);
-  return make_overdamped(scene_, domain_, boundaries_, chosen_integrator(scene_, *scales_), 2 / scales_->bed_limit);
+  return make_overdamped(scene_, domain_, boundaries_, chosen_integrator(scene_), 2 / scales_->bed_limit);
 }
 
 double Simulation::energy_noise() const {

@@ -87,7 +87,7 @@ class CentralForces final : public ForceField {
     const PairSize<double> size{one.inverse_mass + other.inverse_mass,
                                 one.radius * other.radius / (one.radius + other.radius)};
     const double force = force_of(p.material[i], p.material[j], size, overlap);
-    entries.push_back({j, d / distance, exponent * force / overlap, force / distance});
+    entries.push_back({j, d / distance, exponent * force / overlap});
   }
 
   double force_of(std::int32_t a, std::int32_t b, const PairSize<double>& size, double overlap) const {
@@ -115,7 +115,7 @@ class CentralForces final : public ForceField {
         const Row& particle = p.now.rows[slot];
         const double force = force_of(p.material[slot], boundaries_[entry.body].material,
                                       {particle.inverse_mass, particle.radius}, row.overlap[lane]);
-        found[lane].push_back({ContactMatrix::wall, row.normal.get(lane), exponent * force / row.overlap[lane], 0});
+        found[lane].push_back({ContactMatrix::wall, row.normal.get(lane), exponent * force / row.overlap[lane]});
       }
     }
   }

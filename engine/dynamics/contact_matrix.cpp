@@ -1,6 +1,7 @@
 #include "engine/dynamics/contact_matrix.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/threads.hpp"
 
@@ -35,7 +36,7 @@ void ContactMatrix::multiply(const std::vector<double>& mobility, double share, 
     Vec3 sum = share / mobility[slot] * own;
     for (; entry != end; ++entry) {
       const Vec3 d = entry->other == wall ? own : Vec3(own - x[entry->other]);
-      sum += (entry->stiffness + entry->prestress) * entry->normal.dot(d) * entry->normal - entry->prestress * d;
+      sum += entry->stiffness * entry->normal.dot(d) * entry->normal;
     }
     y[slot] = sum;
   });

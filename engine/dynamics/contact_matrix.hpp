@@ -14,15 +14,14 @@ using Mat3 = Eigen::Matrix3d;
 /// A vector a slot.
 using SlotVectors = std::vector<Vec3>;
 
-/// -dF/dx of contacts: k n n^T - (F/d)(1 - n n^T) between particles whose centres are d apart, k n n^T at a wall, whose
-/// curvature is left out. Both particles of a contact have it in their rows.
+/// k n n^T of contacts: -dF/dx apart from the force's turning with the normal, F/(k d) as much, without which it is
+/// never negative. Both particles of a contact have it in their rows.
 class ContactMatrix {
  public:
   struct Entry {
     std::int32_t other;  ///< slot; none for a wall
     Vec3 normal;
     double stiffness;  ///< k [N/m]
-    double prestress;  ///< F/d [N/m]; 0 at a wall
   };
   static constexpr std::int32_t wall = -1;
 
@@ -36,10 +35,10 @@ class ContactMatrix {
   /// y = (share / mobility + K) x, with nothing where the mobility is 0 [N/m]. share: 1/h [1/s].
   void multiply(const std::vector<double>& mobility, double share, const SlotVectors& x, SlotVectors& y) const;
 
-  /// Inverses of the 3 x 3 blocks on the diagonal, without prestress, by slot [m/N].
+  /// Inverses of the 3 x 3 blocks on the diagonal, by slot [m/N].
   void invert_diagonal(const std::vector<double>& mobility, double share, std::vector<Mat3>& inverse) const;
 
-  /// Gershgorin's bound on the eigenvalues of mobility K without prestress, and so on those of the motion [1/s].
+  /// Gershgorin's bound on the eigenvalues of mobility K [1/s].
   double largest_rate(const std::vector<double>& mobility) const;
 
  private:

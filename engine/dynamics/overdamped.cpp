@@ -21,7 +21,7 @@ constexpr double longest_given_move = 0.5;  ///< in a given step: farther, it co
 constexpr double list_share = 0.3;          ///< of its radius, that each particle may move while a list serves
 constexpr double growth_in_step = 0.02;     ///< of the full radius
 constexpr double most_longer = 2, most_shorter = 0.2, safety = 0.9;  ///< of a step's length to the one before
-constexpr double shortest_share = 1e-12;  ///< of the time to go: a step so short goes nowhere
+constexpr double shortest_share = 1e-10;  ///< of the time to go: a step so short goes nowhere
 
 }  // namespace
 
@@ -219,7 +219,7 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
         renew_list(particles, now, length, share);
         length_ = given > 0 ? 0 : 0.5 * length;
       }
-      if (length < shortest_share * input.dt) fail_at(now, length, step);
+      if (!last && length < shortest_share * input.dt) fail_at(now, length, step);
       continue;
     }
     write(particles, x1_, v1_);
