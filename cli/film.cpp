@@ -1,6 +1,9 @@
 #include "cli/film.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
@@ -9,6 +12,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "viz/movie.hpp"
 #include "viz/pixel_window.hpp"
 
@@ -90,10 +94,23 @@ void make_folder(const Film& film, viz::Ranks& ranks) {
   ranks.do_units(work.in_units(work.bytes(), hand_over, write_result), film.workers);
 }
 
+/// Before any frame is drawn; ffmpeg tells only at the end.
+void check_writable(const std::filesystem::path& film) {
+  const std::filesystem::path probe = temporary_name(temporary_name(film));  // not what a film is written under
+  if (!std::ofstream(probe, std::ios::binary)) {
+    throw RunError(film.string() + ": cannot be written: " + std::strerror(errno));
+  }
+  std::error_code ignored;
+  std::filesystem::remove(probe, ignored);
+}
+
 void make_movie(const Film& film, viz::Ranks& ranks) {
   FrameWork work(film);
   std::optional<viz::MovieWriter> movie;
-  if (ranks.first()) movie.emplace(film.output, film.width, film.height, viz::MovieOptions{film.rate});
+  if (ranks.first()) {
+    check_writable(film.output);
+    movie.emplace(film.output, film.width, film.height, viz::MovieOptions{film.rate});
+  }
   const auto add = [&](std::size_t, const std::uint8_t* result) { movie->add(work.image(result)); };
   ranks.do_units(work.in_units(work.bytes(), hand_over, add), film.workers);
   if (movie) movie->finish();

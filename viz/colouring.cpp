@@ -97,7 +97,12 @@ Colouring colour_numbered(const Snapshot& snapshot, const std::string& name) {
   colouring.title = numbers.title;
   std::set<std::int64_t> there;
   for (const double value : numbers.values) {
-    const auto number = std::isfinite(value) ? static_cast<std::int64_t>(std::llround(value)) : -1;
+    if (std::isfinite(value) && value != std::nearbyint(value)) {
+      throw InputError(
+          fmt::format("{}{}: categories have whole numbers, not {:g}; a scale of colours would be right, {}",
+                      category_prefix, name, value, name));
+    }
+    const auto number = std::isfinite(value) ? static_cast<std::int64_t>(value) : -1;
     colouring.colours.push_back(number < 0 ? no_value : category_colour(static_cast<std::size_t>(number)));
     if (number >= 0 && there.size() <= most_named) there.insert(number);
   }

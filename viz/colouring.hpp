@@ -59,7 +59,9 @@ std::optional<ValueRange> value_range(const Snapshot& snapshot, const std::strin
 
 /// Colours by the named quantity; without a range the scale spans the snapshot's own values. Categories of a field have
 /// the colour of their number, 8 in turn; negative ones, as of particles in no cluster, have none. Their legend names
-/// them where they are few. Throws InputError that lists the names there are, or when the range is not ascending.
+/// them where they are few.
+/// Throws InputError that lists the names there are, when the range is not ascending, or for categories of other than
+/// whole numbers.
 Colouring colour_particles(const Snapshot& snapshot, const std::string& name, std::optional<ValueRange> range);
 
 }  // namespace packstone::viz

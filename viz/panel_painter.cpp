@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "viz/common_colouring.hpp"
 #include "viz/quantity.hpp"
 
 namespace packstone::viz {
@@ -39,7 +40,7 @@ PanelPainter::PanelPainter(const PictureOptions& options, std::vector<std::strin
 PanelPainter::~PanelPainter() = default;
 
 // The last panel of the first row has the legend and what stands below it, and is as much wider than the others.
-void PanelPainter::lay_out(const std::vector<PanelContent>& contents) {
+void PanelPainter::lay_out(const std::vector<PanelContent>& contents, const Colouring& colouring) {
   const int count = static_cast<int>(titles_.size()), rows = (count + columns_ - 1) / columns_;
   const double font = font_size(options_.width, options_.height), time = contents.front().snapshot.time;
   times_differ_ = std::any_of(contents.begin(), contents.end(),
@@ -54,7 +55,8 @@ void PanelPainter::lay_out(const std::vector<PanelContent>& contents) {
   plain.scale = plain.scale && plain.view.perspective();
   const auto room = [&](PictureOptions own) {
     own.font_scale *= font / font_size(own.width, own.height);
-    return static_cast<int>(std::ceil(room_beside(own, contents.front().snapshot, contents.front().overlay)));
+    return static_cast<int>(
+        std::ceil(room_beside(own, contents.front().snapshot, colouring, contents.front().overlay)));
   };
   const int with_legend = room(common), without = room(plain);
   const int seen = (options_.width - with_legend - (columns_ - 1) * without) / columns_;
@@ -75,9 +77,14 @@ void PanelPainter::lay_out(const std::vector<PanelContent>& contents) {
 }
 
 void PanelPainter::show(const std::vector<PanelContent>& contents) {
-  if (titles_.size() > 1 && (panels_.empty() || times_differ_)) lay_out(contents);  // titles tell the times
+  std::vector<std::reference_wrapper<const Snapshot>> snapshots;
+  for (const PanelContent& content : contents) snapshots.emplace_back(content.snapshot);
+  std::vector<Colouring> colourings = colour_together(snapshots, options_.color, options_.range);
+  if (titles_.size() > 1 && (panels_.empty() || times_differ_)) {  // titles tell the times
+    lay_out(contents, colourings.front());
+  }
   for (std::size_t k = 0; k < panels_.size(); ++k) {
-    panels_[k].painter->show(contents[k].snapshot, contents[k].overlay);
+    panels_[k].painter->show(contents[k].snapshot, contents[k].overlay, std::move(colourings[k]));
   }
 }
 

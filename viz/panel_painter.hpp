@@ -34,7 +34,7 @@ class PanelPainter {
 
  private:
   struct Panel;
-  void lay_out(const std::vector<PanelContent>& contents);
+  void lay_out(const std::vector<PanelContent>& contents, const Colouring& colouring);
 
   PictureOptions options_;
   std::vector<std::string> titles_;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -53,9 +54,10 @@ struct Frame {
   FrustumCloud tubes;
   SphereCloud joints;
 
-  Frame(const Snapshot& snapshot, const Overlay& drawn_among, const PictureOptions& options)
+  Frame(const Snapshot& snapshot, const Overlay& drawn_among, std::optional<Colouring> given,
+        const PictureOptions& options)
       : space(snapshot.domain),
-        colouring(colour_particles(snapshot, options.color, options.range)),
+        colouring(given ? std::move(*given) : colour_particles(snapshot, options.color, options.range)),
         overlay(drawn_among, snapshot, space, colouring, options),
         keys(keys_of(options, colouring, drawn_among, overlay)),
         layout(lay_out(options, space, keys)),
@@ -171,8 +173,8 @@ ParticlePainter::ParticlePainter(const PictureOptions& options) : options_(optio
 
 ParticlePainter::~ParticlePainter() = default;
 
-void ParticlePainter::show(const Snapshot& snapshot, const Overlay& overlay) {
-  stage_->frame.emplace(snapshot, overlay, options_);
+void ParticlePainter::show(const Snapshot& snapshot, const Overlay& overlay, std::optional<Colouring> colouring) {
+  stage_->frame.emplace(snapshot, overlay, std::move(colouring), options_);
   const Frame& frame = *stage_->frame;
   stage_->spheres.emplace(frame.camera);
   if (options_.container) {
@@ -215,9 +217,9 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   return point / frame.space.scale + frame.space.centre;
 }
 
-double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Overlay& overlay) {
+double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Colouring& colouring,
+                   const Overlay& overlay) {
   const UnitSpace space(snapshot.domain);
-  const Colouring colouring = colour_particles(snapshot, options.color, options.range);
   const OverlayBodies bodies(overlay, snapshot, space, colouring, options);
   return room_beside(options, space, keys_of(options, colouring, overlay, bodies));
 }

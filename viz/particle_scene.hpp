@@ -65,8 +65,9 @@ class ParticlePainter {
   /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by.
   Image paint(const Snapshot& snapshot, const Overlay& overlay = {});
 
-  /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole.
-  void show(const Snapshot& snapshot, const Overlay& overlay = {});
+  /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole. A
+  /// colouring takes the place of the options'.
+  void show(const Snapshot& snapshot, const Overlay& overlay = {}, std::optional<Colouring> colouring = std::nullopt);
   Image part(const PixelWindow& window);
 
   /// The point [m] of a particle or wall seen at the middle of a pixel of the last picture; nothing on the ground.
@@ -80,7 +81,8 @@ class ParticlePainter {
 };
 
 /// Room that legend, time, scale bar and directions, or the length of an edge, take to the right of what is seen [px].
-double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Overlay& overlay);
+double room_beside(const PictureOptions& options, const Snapshot& snapshot, const Colouring& colouring,
+                   const Overlay& overlay);
 
 /// One picture.
 Image draw_particles(const Snapshot& snapshot, const PictureOptions& options);

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "viz/boundary_cut.hpp"
+#include "viz/common_colouring.hpp"
 #include "viz/drawing_painter.hpp"
 #include "viz/font.hpp"
 #include "viz/legend.hpp"
@@ -52,6 +53,12 @@ struct Extent {
   double height() const { return high.v - low.v; }
 };
 
+/// Letters as small as a line of them must be to have room.
+double fitting_size(const std::string& text, double size, double room, bool bold) {
+  const double width = text_width(text, size, bold);
+  return width > room ? size * room / width : size;
+}
+
 /// What the axes of a plane are called.
 std::string axis_label(const SlicePlane& plane, bool across, const std::string& unit) {
   if (plane.axis) {
@@ -59,7 +66,7 @@ std::string axis_label(const SlicePlane& plane, bool across, const std::string& 
     return fmt::format("{} [{}]", axis_names[across ? axes.u : axes.v], unit);
   }
   const Vec3& way = across ? plane.right : plane.up;
-  return fmt::format("along ({:.2g}, {:.2g}, {:.2g}) [{}]", way.x(), way.y(), way.z(), unit);
+  return fmt::format("along {} [{}]", vector_text(way, 2), unit);
 }
 
 /// All that stands beside the panels, from the top: what the colours mean, plane and time where they are common, a
@@ -71,7 +78,7 @@ class SideColumn {
     const auto all = [&](auto&& same) { return std::all_of(panels.begin(), panels.end(), same); };
     const SlicePanel& first = panels.front();
     const std::string plane = plane_text(first.plane);
-    if (all([&](const SlicePanel& p) { return plane_text(p.plane) == plane; })) lines_.push_back(plane);
+    if (all([&](const SlicePanel& p) { return plane_text(p.plane) == plane; })) add_plane(first.plane);
     const double time = first.snapshot.time;
     if (options.time && all([&](const SlicePanel& p) { return p.snapshot.time == time; })) {
       lines_.push_back(time_text(time));
@@ -102,6 +109,11 @@ class SideColumn {
   }
 
  private:
+  void add_plane(const SlicePlane& plane) {
+    if (!plane.axis) lines_.push_back(through_text(plane));
+    lines_.push_back(plane.axis ? plane_text(plane) : normal_text(plane));
+  }
+
   ColourKey key_;
   double font_;
   bool legend_;
@@ -114,6 +126,7 @@ struct SliceLayout {
   std::vector<PlotFrame> frames;
   double metres_per_pixel = 0;
   Box column;
+  std::vector<double> heading_room;  ///< of each panel, from its left [px]
 };
 
 PlotFrame axes_of(const SlicePanel& panel, const Extent& extent, double unit, const std::string& unit_name,
@@ -167,6 +180,8 @@ SliceLayout lay_out_panels(const std::vector<SlicePanel>& panels, const std::vec
     const double bottom = upper + j * (used_height + lower_room(font) + gap) + used_height;
     layout.frames[k].box = {left, bottom - extents[k].height() * pixels_per_metre,
                             left + extents[k].width() * pixels_per_metre, bottom};
+    const bool last = i == columns - 1 || k + 1 == panels.size();
+    layout.heading_room.push_back(last ? options.width - edge - left : used_width);
   }
   const double left = start + all_width + column_gap * font;
   const double lowest = upper + (rows - 1) * (used_height + lower_room(font) + gap) + used_height;
@@ -214,33 +229,25 @@ void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent,
   draw_axes(drawing, frame);
 }
 
-/// The colours of all panels on one scale.
-std::vector<Colouring> colour_panels(const std::vector<SlicePanel>& panels, const SliceOptions& options) {
-  std::optional<ValueRange> range = options.range;
-  if (!range && panels.size() > 1 && !colours_categories(options.color)) {
-    for (const SlicePanel& panel : panels) {
-      const auto own = value_range(panel.snapshot, options.color);
-      if (own) range = united(range, *own);
-    }
-    if (range && !(range->first < range->second)) range.reset();  // one value: each panel widens it in the same way
-  }
-  std::vector<Colouring> colourings;
-  for (const SlicePanel& panel : panels) colourings.push_back(colour_particles(panel.snapshot, options.color, range));
-  return colourings;
-}
-
 }  // namespace
 
 Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions& options) {
   const double font = font_size(options.width, options.height) * options.font_scale;
-  const std::vector<Colouring> colourings = colour_panels(panels, options);
   std::vector<Extent> extents;
-  for (const SlicePanel& panel : panels) extents.emplace_back(panel.snapshot.domain, panel.plane);
+  std::vector<std::reference_wrapper<const Snapshot>> snapshots;
+  for (const SlicePanel& panel : panels) {
+    extents.emplace_back(panel.snapshot.domain, panel.plane);
+    snapshots.emplace_back(panel.snapshot);
+  }
+  const std::vector<Colouring> colourings = colour_together(snapshots, options.color, options.range);
   const SideColumn column(panels, options, colourings.front(), font);
   const SliceLayout layout = lay_out_panels(panels, extents, options, column.width(), font);
   Drawing drawing{options.width, options.height, {}};
   drawing.text({options.width / 2.0, options.margin * font}, options.title,
-               {.size = title_size * font, .across = Side::middle, .along = Side::high, .bold = true});
+               {.size = fitting_size(options.title, title_size * font, options.width - 2 * options.margin * font, true),
+                .across = Side::middle,
+                .along = Side::high,
+                .bold = true});
   for (std::size_t k = 0; k < panels.size(); ++k) {
     draw_panel(drawing, panels[k], extents[k], layout.frames[k], colourings[k], layout.metres_per_pixel);
     if (panels.size() == 1) continue;
@@ -248,7 +255,8 @@ Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions&
     const Box& box = layout.frames[k].box;
     std::string heading = lettered(k, panels[k].title);
     if (options.time && !column.tells_time()) heading += ", " + time_text(panels[k].snapshot.time);
-    drawing.text({box.left, box.top - above * font}, heading, {.size = font});
+    drawing.text({box.left, box.top - above * font}, heading,
+                 {.size = fitting_size(heading, font, layout.heading_room[k], false)});
   }
   column.draw(drawing, layout.column, layout.metres_per_pixel);
   return drawing;

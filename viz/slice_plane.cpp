@@ -84,7 +84,27 @@ SlicePlane plane_from_text(const std::string& text) {
 
 std::string plane_text(const SlicePlane& plane) {
   if (plane.axis) return fmt::format("{} = {}", axis_names[*plane.axis], length_text(plane.position));
-  return fmt::format("normal ({:.3g}, {:.3g}, {:.3g})", plane.normal.x(), plane.normal.y(), plane.normal.z());
+  return through_text(plane) + ", " + normal_text(plane);
+}
+
+std::string through_text(const SlicePlane& plane) {
+  constexpr int digits = 3;
+  const double longest = plane.origin.cwiseAbs().maxCoeff();
+  const ReadableUnit unit = longest > 0 ? length_unit(longest) : ReadableUnit{"m", 1};
+  return fmt::format("through {} {}", vector_text(plane.origin / unit.scale, digits), unit.name);
+}
+
+std::string normal_text(const SlicePlane& plane) {
+  constexpr int digits = 3;
+  return "normal " + vector_text(plane.normal, digits);
+}
+
+std::string vector_text(const Vec3& vector, int digits) {
+  constexpr double round_off = 1e-12;  // of the longest component
+  const double least = round_off * vector.cwiseAbs().maxCoeff();
+  const auto clean = [&](double value) { return std::abs(value) <= least ? 0.0 : value; };
+  return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", clean(vector.x()), digits, clean(vector.y()), digits,
+                     clean(vector.z()), digits);
 }
 
 std::vector<InPlane> section(const Domain& domain, const SlicePlane& plane) {

@@ -46,8 +46,13 @@ struct SlicePlane {
 /// From "z=0.1", "y = 290 mm", or "through 0,0,100 mm normal 1,1,0". Throws InputError otherwise.
 SlicePlane plane_from_text(const std::string& text);
 
-/// "y = 290 mm", "normal (0.707, 0.707, 0)"
+/// "y = 290 mm", "through (0.1, 0.1, 0.2) m, normal (0.707, 0.707, 0)"; of an oblique plane also its two parts.
 std::string plane_text(const SlicePlane& plane);
+std::string through_text(const SlicePlane& plane);
+std::string normal_text(const SlicePlane& plane);
+
+/// "(0.71, -0.71, 0)", what is nothing beside the longest component being 0.
+std::string vector_text(const Vec3& vector, int digits);
 
 /// What the plane cuts out of the domain: the corners of a convex polygon in order; empty where it misses.
 std::vector<InPlane> section(const Domain& domain, const SlicePlane& plane);

@@ -337,6 +337,7 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "slice " + run.path + run.out("x.png") + " --plane \"through 0,0,0 normal 0,0,0\"",
         "slice " + run.path + run.out("x.png") + " --plane \"through 9,9,9 normal 1,1,1\"",
         "slice " + run.path + run.out("x.png") + " --plane z=20mm --color category:sped",
+        "slice " + run.path + run.out("x.png") + " --plane z=20mm --color category:speed",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 85 --height-mm 5",
         "plot " + run.path + run.out("x.png") + " --what energy --width-mm 11 --height-mm 11",
@@ -356,6 +357,11 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
       CHECK_FALSE(std::filesystem::exists(run.folder / name));
   }
   const auto unwritable = packstone_command("render " + run.path + " -o /proc/x.png --size 64x64");
+  const auto film =
+      packstone_command("slice " + run.path + " --sweep z=0.01:0.03:3 --size 320x240" + run.out("missing/x.mp4"));
+  CHECK(film.exit_code == 1);  // at once, without a word about frames drawn
+  CHECK(std::count(film.output.begin(), film.output.end(), '\n') == 1);
+  CHECK_THAT(film.output, StartsWith("packstone: error: ") && Contains("x.mp4: cannot be written"));
   CHECK(unwritable.exit_code != 0);
   CHECK(std::count(unwritable.output.begin(), unwritable.output.end(), '\n') == 1);
 }

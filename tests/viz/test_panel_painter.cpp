@@ -55,6 +55,27 @@ TEST_CASE("panels of boxes of different sizes show a sphere equally large") {
   }
 }
 
+TEST_CASE("panels of different groups have a colour for each name") {
+  Snapshot one = ball_in(Vec3::Ones()), two = one;
+  one.groups = {{"heavy", "steel", 2400}};  // the second group of the other
+  two.type = {1};
+  PictureOptions options = small_picture();
+  options.container = false;
+  options.legend = options.time = options.scale = options.axes = false;
+  const Image image = PanelPainter(options, {"", ""}, 0).paint({{one, {}}, {two, {}}});
+  int orange[2] = {0, 0}, blue = 0;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const Colour c = image.at(column, row);
+      if (c.r > c.b + 20) ++orange[column < image.width / 2 ? 0 : 1];
+      if (c.b > c.r + 20) ++blue;
+    }
+  }
+  CHECK(orange[0] > 500);
+  CHECK(orange[1] == Approx(orange[0]).epsilon(0.02));
+  CHECK(blue == 0);
+}
+
 TEST_CASE("tiles over panels make the whole; times that differ stand in the titles") {
   Snapshot first = testing::layered_packing(1), second = first;
   const PictureOptions options = small_picture();

@@ -1,10 +1,16 @@
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/geometry.hpp"
+#include "tests/shell.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tests/viz/packings.hpp"
+#include "viz/common_colouring.hpp"
+#include "viz/save_drawing.hpp"
 #include "viz/slice_drawing.hpp"
 #include "viz/svg.hpp"
 
@@ -148,6 +154,125 @@ TEST_CASE("panels have one scale of length and of colour, and a letter each") {
     if (const auto* disc = std::get_if<DiscMark>(&mark)) discs.push_back(disc);
   }
   CHECK(discs[0]->centre.y < discs[1]->centre.y);
+}
+
+TEST_CASE("panels of different groups have one legend, in which a colour means one name") {
+  Snapshot sand = testing::empty_box(Vec3::Ones()), mixture = sand;
+  sand.groups.resize(1);
+  sand.groups[0].name = "sand";
+  mixture.groups.resize(2);
+  mixture.groups[0].name = "clay";
+  mixture.groups[1].name = "sand";
+  testing::add_particle(sand, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  testing::add_particle(mixture, Vec3(0.3, 0.5, 0.5), 0.1, 0);
+  testing::add_particle(mixture, Vec3(0.7, 0.5, 0.5), 0.1, 1);
+  const Drawing drawing = slice_drawing({{sand, {1, 0.5}, ""}, {mixture, {1, 0.5}, ""}}, {});
+  std::vector<Colour> cut, swatches;
+  std::vector<std::string> texts;
+  for (const Mark& mark : drawing.marks) {
+    if (const auto* disc = std::get_if<DiscMark>(&mark)) (disc->outline ? cut : swatches).push_back(disc->fill.colour);
+    if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text->text);
+  }
+  const Colour first = category_colour(0), second = category_colour(1);
+  CHECK((cut == std::vector<Colour>{first, second, first}));
+  CHECK((swatches == std::vector<Colour>{first, second}));
+  const auto place = [&](const char* name) { return std::find(texts.begin(), texts.end(), name) - texts.begin(); };
+  CHECK(std::count(texts.begin(), texts.end(), "sand") == 1);
+  CHECK(std::count(texts.begin(), texts.end(), "clay") == 1);
+  CHECK(place("sand") < place("clay"));
+}
+
+TEST_CASE("panels of numbered categories have the numbers of all in their legend") {
+  Snapshot low = testing::empty_box(Vec3::Ones()), high = low;
+  testing::add_particle(low, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  testing::add_particle(high, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  low.fields["cluster"] = Field{1, "", {2}};
+  high.fields["cluster"] = Field{1, "", {10}};
+  const auto legend = [&](const Snapshot& a, const Snapshot& b) {
+    const auto colourings = colour_together({a, b}, "category:cluster", std::nullopt);
+    std::string names;
+    for (const LegendEntry& entry : colourings[0].entries) names += entry.name + " ";
+    CHECK(colourings[1].entries.size() == colourings[0].entries.size());
+    return names;
+  };
+  CHECK(legend(low, high) == "2 10 ");
+  CHECK(legend(high, low) == "2 10 ");
+  CHECK(legend(low, low) == "2 ");
+  Snapshot empty = testing::empty_box(Vec3::Ones());
+  empty.fields["cluster"] = Field{};
+  CHECK(legend(low, empty) == "2 ");
+}
+
+TEST_CASE("categories of a slice are whole numbers") {
+  Snapshot snapshot = testing::empty_box(Vec3::Ones());
+  testing::add_particle(snapshot, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  snapshot.fields["cluster"] = Field{1, "", {3}};
+  SliceOptions options;
+  options.color = "category:cluster";
+  CHECK_NOTHROW(slice_drawing(snapshot, {1, 0.5}, options));
+  snapshot.fields["cluster"].values = {3.5};
+  CHECK_THROWS_AS(slice_drawing(snapshot, {1, 0.5}, options), InputError);
+  options.color = "category:radius";
+  CHECK_THROWS_AS(slice_drawing(snapshot, {1, 0.5}, options), InputError);
+}
+
+TEST_CASE("the PDF of a slice holds a filled curve for every disc, as poppler reads it") {
+  const testing::TemporaryFolder folder;
+  const Snapshot snapshot = testing::layered_packing(1);
+  SliceOptions options;
+  options.color = "radius";
+  options.legend = false;
+  const SlicePlane plane{1, 0.29};
+  save_drawing(folder / "a.pdf", slice_drawing(snapshot, plane, options), 1, "");
+  const auto result =
+      testing::shell("pdftocairo -svg " + testing::quoted(folder / "a.pdf") + " " + testing::quoted(folder / "a.svg"));
+  REQUIRE(result.exit_code == 0);
+  const std::string svg = read_text_file(folder / "a.svg");
+  std::size_t discs = 0;
+  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) {
+    const std::string path = svg.substr(at, svg.find('>', at) - at);
+    if (path.find("fill:rgb") != std::string::npos && path.find(" C ") != std::string::npos) ++discs;
+  }
+  CHECK(discs == slice_discs(snapshot, plane).size());
+  CHECK(discs > 10);
+}
+
+TEST_CASE("an empty panel takes the scale of the others") {
+  Snapshot empty = testing::empty_box(Vec3::Ones()), one = empty;
+  testing::add_particle(one, Vec3(0.5, 0.5, 0.5), 0.1, 0);
+  const auto colourings = colour_together({empty, one}, "radius", std::nullopt);
+  CHECK((colourings[0].range == colourings[1].range));
+  CHECK(colourings[0].range->first == Approx(0.05));
+  CHECK(colourings[0].range->second == Approx(0.15));
+}
+
+TEST_CASE("titles too long for their room have smaller letters") {
+  const Snapshot snapshot = testing::layered_packing(1);
+  SliceOptions options;
+  options.width = 400;
+  options.height = 800;
+  options.title = "A title that is a good deal longer than the picture is wide";
+  const std::string heading = "a heading that is much longer than its panel";
+  const SlicePlane plane{1, 0.29};
+  options.columns = 2;
+  const Drawing drawing = slice_drawing({{snapshot, plane, heading}, {snapshot, plane, heading}}, options);
+  std::vector<const TextMark*> headings;
+  for (const Mark& mark : drawing.marks) {
+    const auto* text = std::get_if<TextMark>(&mark);
+    if (text == nullptr) continue;
+    if (text->text == options.title) CHECK(text_width(text->text, text->style.size, true) <= options.width);
+    if (text->text.ends_with(heading)) headings.push_back(text);
+  }
+  REQUIRE(headings.size() == 2);
+  CHECK(headings[0]->at.x + text_width(headings[0]->text, headings[0]->style.size) <= headings[1]->at.x);
+  CHECK(headings[1]->at.x + text_width(headings[1]->text, headings[1]->style.size) <= options.width);
+}
+
+TEST_CASE("an oblique plane is told by point and normal, without negative zeros") {
+  CHECK(plane_text(SlicePlane(Vec3(0.1, 0, 0.2), Vec3(1, -1e-20, 0))) == "through (0.1, 0, 0.2) m, normal (1, 0, 0)");
+  CHECK(through_text(SlicePlane(Vec3(0.001, 0.02, -0.003), Vec3(1, 1, 1))) == "through (1, 20, -3) mm");
+  CHECK(through_text(SlicePlane(Vec3::Zero(), Vec3(1, 1, 1))) == "through (0, 0, 0) m");
+  CHECK(vector_text(Vec3(-0.0, 1, -1e-17), 2) == "(0, 1, 0)");
 }
 
 TEST_CASE("a plane outside the domain is refused") {
