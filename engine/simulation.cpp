@@ -198,10 +198,11 @@ StepSums Simulation::step(std::int64_t number, bool poured, Recorder* recorder) 
   return sums;
 }
 
-void Simulation::go_on(std::int64_t number) {
+void Simulation::go_on(std::int64_t number, const SimulationEvents& events) {
   const Stopwatch clock;
   StepInput input;
   input.dt = dt_;
+  if (events.should_stop) input.should_stop = &events.should_stop;
   const StepSums passed = dynamics_->go_on(particles_, input, time_at(number));
   loop_seconds_ += clock.seconds();
   account(passed, 1);
@@ -270,7 +271,7 @@ void Simulation::run(const SimulationEvents& events) {
     }
     account(sums, 0.5);
     account_.gravity_work += sums.gravity_work;  // done between this instant and the next
-    go_on(number);
+    go_on(number, events);
   }
 }
 

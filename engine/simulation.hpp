@@ -86,7 +86,7 @@ class Simulation {
   bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
   /// What brings the particles to the next instant.
-  void go_on(std::int64_t number);
+  void go_on(std::int64_t number, const SimulationEvents& events);
   std::unique_ptr<Dynamics> make_dynamics();
   /// poured: particles have come in since the step before.
   StepSums step(std::int64_t number, bool poured, Recorder* recorder);

@@ -187,6 +187,9 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
   double share = list_share;
   system_.forget_instant();
   for (double now = time; now < end;) {
+    if (input.should_stop && (*input.should_stop)()) {
+      throw Interrupted(fmt::format("stopped at t = {:.6g} s, between two looks at the run", now));
+    }
     if (outdated(growth_at(scene_, now))) {
       renew_list(particles, now, std::min(length_ > 0 ? length_ : input.dt, end - now), list_share);
     }
@@ -222,6 +225,7 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
       if (!last && length < shortest_share * input.dt) fail_at(now, length, step);
       continue;
     }
+    if (!last && now + length == now) fail_at(now, length, step);  // time would stand still
     write(particles, x1_, v1_);
     system_.field().neighbours().moved(step.share_squared, step.sum, length);
     share = list_share;

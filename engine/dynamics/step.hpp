@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,6 +25,8 @@ struct StepInput {
   /// By which the velocity that contacts see in the next step is ahead of the half step [s]; none where the particles
   /// were made for ContactVelocity::half_step.
   double velocity_lead = 0;
+  /// Asked between the steps of an integrator that takes many; null: it goes on.
+  const std::function<bool()>* should_stop = nullptr;
   /// By which the velocity that contacts see is behind their positions [s].
   double velocity_lag() const { return 0.5 * dt - velocity_lead; }
 };
