@@ -6,10 +6,11 @@ namespace packstone::cli {
 struct PictureVerb {
   const char* name;
   const char* description;
+  bool by_ranks = false;  ///< processes that mpirun starts do it together
 };
 
-inline constexpr PictureVerb render_verb{"render", "Draw the packing in space: a picture, frames, or a film"};
-inline constexpr PictureVerb slice_verb{"slice", "Draw the true cut of a plane through the packing"};
+inline constexpr PictureVerb render_verb{"render", "Draw the packing in space: a picture, frames, or a film", true};
+inline constexpr PictureVerb slice_verb{"slice", "Draw the true cut of a plane through the packing", true};
 inline constexpr PictureVerb plot_verb{
     "plot", "Draw charts over time, over height and over a mixture's ratio, of one or several runs"};
 inline constexpr PictureVerb report_verb{"report",

@@ -1,11 +1,14 @@
 // packstone-pictures: the verbs of packstone that draw. Users call packstone, which hands over to it.
 
 #include <limits>
+#include <string>
 
 #include <malloc.h>
 
 #include "cli/command_line.hpp"
+#include "cli/picture_verbs.hpp"
 #include "cli/verbs.hpp"
+#include "core/launched.hpp"
 
 namespace {
 
@@ -27,5 +30,8 @@ void keep_memory() {
 
 int main(int argc, char** argv) {
   keep_memory();
+  for (const packstone::cli::PictureVerb& verb : packstone::cli::picture_verbs) {
+    if (argc > 1 && argv[1] == std::string(verb.name) && verb.by_ranks) packstone::join_launch();
+  }
   return packstone::cli::run_program(argc, argv, add_verbs);
 }

@@ -14,24 +14,6 @@
 
 namespace packstone::cli {
 
-namespace {
-
-Vec3 place_from_text(const std::string& text) {
-  Vec3 place;
-  std::size_t first = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t comma = text.find(',', first);
-    if (first > text.size() || (comma == std::string::npos) != (k == 2)) {
-      throw InputError(fmt::format("--focus {}: expected X,Y,Z, such as 0.1,0.1,0.3 or \"100 mm,0,0.3\"", text));
-    }
-    place[k] = parse_quantity(text.substr(first, comma - first), unit::metre);
-    first = comma + 1;
-  }
-  return place;
-}
-
-}  // namespace
-
 viz::PictureOptions picture_options(const RenderCall& call, const std::vector<RunReader>& runs) {
   viz::PictureOptions picture;
   std::tie(picture.width, picture.height) = picture_size(call.picture.size);
@@ -40,7 +22,12 @@ viz::PictureOptions picture_options(const RenderCall& call, const std::vector<Ru
   picture.range = colour_range(call.picture.range);
   picture.view = viz::viewpoint_from_text(call.camera);
   picture.view.zoom = call.zoom;
-  if (!call.focus.empty()) picture.view.focus = place_from_text(call.focus);
+  if (!call.focus.empty()) {
+    picture.view.focus = parse_vector(call.focus, unit::metre);
+    if (!picture.view.focus) {
+      throw InputError(fmt::format("--focus {}: expected X,Y,Z, such as 0.1,0.1,0.3 or \"100 mm,0,0.3\"", call.focus));
+    }
+  }
   picture.title = figure_title(runs, call.picture.title);
   if (runs.size() > 1 && !picture.title.empty()) {
     throw InputError(fmt::format("--title {}: of several panels each has its title, --titles", picture.title));

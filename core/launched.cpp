@@ -27,6 +27,8 @@ std::optional<int> number_in(const char* variable) {
   return number;
 }
 
+bool works_together = false;
+
 }  // namespace
 
 std::optional<Launched> launched() {
@@ -37,8 +39,10 @@ std::optional<Launched> launched() {
   return std::nullopt;
 }
 
+void join_launch() { works_together = true; }
+
 bool speaks_for_all() {
-  const auto process = launched();
+  const auto process = works_together ? launched() : std::nullopt;
   return !process || process->rank == 0;
 }
 

@@ -15,7 +15,11 @@ struct Launched {
 /// process.
 std::optional<Launched> launched();
 
-/// False in all processes of a launch but the first: one message is enough.
+/// From now on this process works together with the others of its launch. Without it each works for itself, as several
+/// runs that srun starts side by side do.
+void join_launch();
+
+/// False in the processes that joined their launch, but the first: one message is enough.
 bool speaks_for_all();
 
 }  // namespace packstone

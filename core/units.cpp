@@ -114,4 +114,16 @@ double parse_quantity(const std::string& text, const Unit& wanted) {
   return value * unit->scale;
 }
 
+std::optional<Vec3> parse_vector(const std::string& text, const Unit& wanted) {
+  Vec3 vector;
+  std::size_t first = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t comma = text.find(',', first);
+    if ((comma == std::string::npos) != (k == 2)) return std::nullopt;
+    vector[k] = parse_quantity(text.substr(first, comma - first), wanted);
+    first = comma + 1;
+  }
+  return vector;
+}
+
 }  // namespace packstone

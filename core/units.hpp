@@ -1,7 +1,10 @@
 // Quantities as people write them: "20 mm", "50 us", "7.8 g/cm3". Everything is SI inside.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "core/vec3.hpp"
 
 namespace packstone {
 
@@ -39,5 +42,8 @@ inline constexpr Unit energy{{2, 1, -2}, "J"};
 /// Value in SI of text such as "20 mm", "9.8 m/s2", "1e-3" (already SI), "30 deg".
 /// Throws InputError when the text is no number with a unit of the wanted dimension; the message names the unit.
 double parse_quantity(const std::string& text, const Unit& wanted);
+
+/// Three of them with commas between, "0.1,20 mm,0"; nothing where there are not three. Throws as parse_quantity.
+std::optional<Vec3> parse_vector(const std::string& text, const Unit& wanted);
 
 }  // namespace packstone

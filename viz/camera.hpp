@@ -35,7 +35,7 @@ struct Viewpoint {
   std::optional<Vec3> focus;  ///< stands in the middle [m]; the domain's centre
 
   Viewpoint() = default;
-  Viewpoint(View named) : view(named) {}  // NOLINT: a view is a viewpoint
+  Viewpoint(View named) : view(named) {}
 
   bool perspective() const { return turn.has_value() || view == View::iso; }
   /// Whether parts of the domain may be out of view.

@@ -43,10 +43,4 @@ class PanelPainter {
   bool times_differ_ = false;
 };
 
-/// How many panels stand in a row where so many are asked for, 0 for the usual.
-int panel_columns(int asked_for, std::size_t panels);
-
-/// "(b) title"
-std::string lettered(std::size_t panel, const std::string& title);
-
 }  // namespace packstone::viz

@@ -144,19 +144,19 @@ struct ParticlePainter::Stage {
   WallLayer walls;
   LabelLayer labels;
   std::optional<Frame> frame;
-  std::optional<PixelLayer> spheres;
+  std::optional<PixelLayer> bodies;
 
   /// A part that lies within one square of the walls.
   Image paint(const PixelWindow& part, const PictureOptions& options) {
     const PixelWindow samples = part.finer(options.supersampling);
     if (options.occlusion > 0) {
-      draw_bodies(*spheres, *frame, samples.wider(occlusion_margin(frame->reach)), options.cull);
-      spheres->occlude(options.occlusion, frame->reach, samples);
+      draw_bodies(*bodies, *frame, samples.wider(occlusion_margin(frame->reach)), options.cull);
+      bodies->occlude(options.occlusion, frame->reach, samples);
     } else {
-      draw_bodies(*spheres, *frame, samples, options.cull);
+      draw_bodies(*bodies, *frame, samples, options.cull);
     }
     if (options.container) walls.prepare(samples);
-    Layer particles = compose(*spheres, options.container ? &walls : nullptr, options.supersampling);
+    Layer particles = compose(*bodies, options.container ? &walls : nullptr, options.supersampling);
     if (frame->layout.frame) clear_outside(particles, part, *frame->layout.frame);
     const Layer words = labels.part(part);
     return flatten({&particles, &words}, themed(paper, options.ground));
@@ -176,7 +176,7 @@ ParticlePainter::~ParticlePainter() = default;
 void ParticlePainter::show(const Snapshot& snapshot, const Overlay& overlay, std::optional<Colouring> colouring) {
   stage_->frame.emplace(snapshot, overlay, std::move(colouring), options_);
   const Frame& frame = *stage_->frame;
-  stage_->spheres.emplace(frame.camera);
+  stage_->bodies.emplace(frame.camera);
   if (options_.container) {
     constexpr double line_weight = 0.06;  // of the font size
     stage_->walls.show(snapshot, frame.space, frame.camera, line_weight * frame.layout.font * options_.supersampling);
@@ -205,9 +205,9 @@ std::optional<Vec3> ParticlePainter::surface_point(int column, int row) {
   const PixelWindow pixel = PixelWindow{column, row, 1, 1}.finer(options_.supersampling);
   const PixelWindow sample{pixel.left + pixel.width / 2, pixel.top + pixel.height / 2, 1, 1};
   const Frame& frame = *stage_->frame;
-  PixelLayer sphere(frame.camera);
-  draw_bodies(sphere, frame, sample, options_.cull);
-  float distance = sphere.blank() ? std::numeric_limits<float>::infinity() : *sphere.distances(0);
+  PixelLayer seen(frame.camera);
+  draw_bodies(seen, frame, sample, options_.cull);
+  float distance = seen.blank() ? std::numeric_limits<float>::infinity() : *seen.distances(0);
   if (options_.container) {
     stage_->walls.prepare(sample);
     distance = std::min(distance, *stage_->walls.row(0).distances);

@@ -12,7 +12,7 @@
 #include "viz/drawing_painter.hpp"
 #include "viz/font.hpp"
 #include "viz/legend.hpp"
-#include "viz/panel_painter.hpp"
+#include "viz/panels.hpp"
 #include "viz/plot_frame.hpp"
 #include "viz/quantity.hpp"
 

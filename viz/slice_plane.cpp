@@ -22,18 +22,6 @@ const std::string through = "through ", normal_word = " normal ";
       fmt::format("'{}' is not a plane; 'z=0.1', 'y=290 mm' or 'through 0.1,0.1,0.2 normal 1,1,0' would be", text));
 }
 
-Vec3 vector_from(const std::string& text, const Unit& unit, const std::string& whole) {
-  Vec3 vector;
-  std::size_t first = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t comma = text.find(',', first);
-    if ((comma == std::string::npos) != (k == 2)) refuse_plane(whole);
-    vector[k] = parse_quantity(text.substr(first, comma - first), unit);
-    first = comma + 1;
-  }
-  return vector;
-}
-
 }  // namespace
 
 PlaneAxes axes_in_plane(int axis) {
@@ -67,8 +55,10 @@ SlicePlane plane_from_text(const std::string& text) {
   if (text.starts_with(through)) {
     const std::size_t second = text.find(normal_word);
     if (second == std::string::npos) refuse_plane(text);
-    return {vector_from(text.substr(through.size(), second - through.size()), unit::metre, text),
-            vector_from(text.substr(second + normal_word.size()), unit::none, text)};
+    const auto point = parse_vector(text.substr(through.size(), second - through.size()), unit::metre);
+    const auto normal = parse_vector(text.substr(second + normal_word.size()), unit::none);
+    if (!point || !normal) refuse_plane(text);
+    return {*point, *normal};
   }
   const std::size_t equals = text.find('=');
   const std::size_t name = text.find_first_not_of(' ');

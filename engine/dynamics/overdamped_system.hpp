@@ -33,7 +33,6 @@ class OverdampedSystem {
   std::size_t slots() const { return mobility_.size(); }
   /// 1/mu by slot [m/(N s)].
   const std::vector<double>& mobility() const { return mobility_; }
-  double mean_radius() const { return mean_radius_; }  ///< [m]
   /// Root mean square over the particles, as a share of the mean radius.
   double size_of(const SlotVectors& displacements) const;
   /// Boundaries and gravity may have changed at the instant that they are at.

@@ -18,7 +18,15 @@ struct Variable {
 
 }  // namespace
 
+TEST_CASE("processes of a launch that work each for itself all speak") {
+  const Variable rank("PMI_RANK", "2"), ranks("PMI_SIZE", "4");
+  CHECK(speaks_for_all());
+  join_launch();
+  CHECK_FALSE(speaks_for_all());
+}
+
 TEST_CASE("a process knows its rank from any launcher, and only from a whole statement") {
+  join_launch();
   CHECK_FALSE(launched());
   CHECK(speaks_for_all());
   for (const auto& [rank, ranks] : {std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "tests/viz/bare_picture.hpp"
 #include "tests/viz/packings.hpp"
 #include "viz/annotation.hpp"
 #include "viz/overlay.hpp"
@@ -15,16 +16,6 @@ using namespace packstone;
 using namespace packstone::viz;
 
 namespace {
-
-PictureOptions plain_picture() {
-  PictureOptions options;
-  options.width = 400;
-  options.height = 300;
-  options.supersampling = 1;
-  options.view = View::front;
-  options.legend = options.time = options.container = options.scale = options.axes = false;
-  return options;
-}
 
 /// Two spheres side by side in the middle, which touch with 5 N; the second presses on the floor with 20 N.
 Snapshot touching_pair() {
@@ -114,7 +105,8 @@ TEST_CASE("arrows have the length and direction of their vectors") {
   snapshot.fields["force"] = {3, "N", {0, 0, -2, 3, 4, 0}};
   const Overlay overlay{{}, arrows_of(snapshot, "force"), {}};
   const UnitSpace space(snapshot.domain);
-  const OverlayBodies bodies(overlay, snapshot, space, colour_particles(snapshot, "type", {}), plain_picture());
+  const OverlayBodies bodies(overlay, snapshot, space, colour_particles(snapshot, "type", {}),
+                             testing::bare_picture(View::front));
   REQUIRE(bodies.frusta.size() == 4);
   const Vec3 tip = bodies.frusta[3].to / space.scale + space.centre;
   CHECK((tip - Vec3(0.6 + 0.36, 0.5 + 0.48, 0.5)).norm() < 1e-12);
@@ -125,7 +117,7 @@ TEST_CASE("arrows have the length and direction of their vectors") {
 
 TEST_CASE("tubes stand in the picture where the contacts are, as thick as their forces say") {
   const Snapshot snapshot = touching_pair();
-  PictureOptions options = plain_picture();
+  PictureOptions options = testing::bare_picture(View::front);
   options.shown = Shown::hidden;
   options.look.thickest_force = 20;
   options.look.link_width = 0.4;  // of 0.1 m: 40 mm at 20 N, 10 mm at 5 N
@@ -159,7 +151,7 @@ TEST_CASE("tubes stand in the picture where the contacts are, as thick as their 
 
 TEST_CASE("particles with paths keep their size where the others are hidden or shrunk") {
   const Snapshot snapshot = touching_pair();
-  PictureOptions options = plain_picture();
+  PictureOptions options = testing::bare_picture(View::front);
   const Overlay overlay{{}, {}, {{1, {Vec3(0.6, 0.5, 0.9), Vec3(0.6, 0.5, 0.7), Vec3(0.6, 0.5, 0.5)}}}};
   const auto width_at = [&](const Image& image, const Vec3& centre) {
     const Point p = pixel_of(snapshot, options, centre);

@@ -4,8 +4,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "tests/viz/bare_picture.hpp"
 #include "tests/viz/packings.hpp"
 #include "viz/panel_painter.hpp"
+#include "viz/panels.hpp"
 
 using namespace packstone;
 using namespace packstone::viz;
@@ -37,10 +39,7 @@ TEST_CASE("one panel is the picture without panels") {
 TEST_CASE("panels of boxes of different sizes show a sphere equally large") {
   const Snapshot small = ball_in(Vec3(1, 1, 1)), large = ball_in(Vec3(2, 1, 1.5));
   for (const View view : {View::front, View::top}) {
-    PictureOptions options = small_picture();
-    options.view = view;
-    options.container = false;
-    options.legend = options.time = options.scale = options.axes = false;
+    const PictureOptions options = testing::bare_picture(view, 601, 303);
     const Image image = PanelPainter(options, {"", ""}, 0).paint({{small, {}}, {large, {}}});
     // Its pixels by their hue: no letter has any.
     int covered[2] = {0, 0};
@@ -59,9 +58,7 @@ TEST_CASE("panels of different groups have a colour for each name") {
   Snapshot one = ball_in(Vec3::Ones()), two = one;
   one.groups = {{"heavy", "steel", 2400}};  // the second group of the other
   two.type = {1};
-  PictureOptions options = small_picture();
-  options.container = false;
-  options.legend = options.time = options.scale = options.axes = false;
+  const PictureOptions options = testing::bare_picture(View::iso, 601, 303);
   const Image image = PanelPainter(options, {"", ""}, 0).paint({{one, {}}, {two, {}}});
   int orange[2] = {0, 0}, blue = 0;
   for (int row = 0; row < image.height; ++row) {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "tests/viz/bare_picture.hpp"
 #include "tests/viz/packings.hpp"
 #include "viz/annotation.hpp"
 #include "viz/container.hpp"
@@ -14,17 +15,6 @@ using namespace packstone;
 using namespace packstone::viz;
 
 namespace {
-
-/// Only the particles.
-PictureOptions bare(View view) {
-  PictureOptions options;
-  options.width = 400;
-  options.height = 300;
-  options.supersampling = 1;
-  options.view = view;
-  options.legend = options.time = options.container = options.scale = options.axes = false;
-  return options;
-}
 
 struct Sight {
   UnitSpace space;
@@ -94,7 +84,7 @@ TEST_CASE("a sphere covers the pixels of its projected disc") {
   const double radius = 0.4;
   const Snapshot snapshot = testing::single_sphere(radius);
   for (const View view : {View::front, View::top, View::left}) {
-    const PictureOptions options = bare(view);
+    const PictureOptions options = testing::bare_picture(view);
     const double pixels = radius * Sight(snapshot, options).pixels_per_metre();
     CHECK(covered_pixels(draw_particles(snapshot, options)) == Approx(M_PI * pixels * pixels).epsilon(0.005));
   }
@@ -104,7 +94,7 @@ TEST_CASE("the depth of a pixel is where its ray meets the sphere") {
   const double radius = 0.3;
   const Snapshot snapshot = testing::single_sphere(radius);
   for (const View view : {View::iso, View::front}) {
-    const PictureOptions options = bare(view);
+    const PictureOptions options = testing::bare_picture(view);
     ParticlePainter painter(options);
     painter.paint(snapshot);
     const Sight sight(snapshot, options);
@@ -129,7 +119,7 @@ TEST_CASE("a particle has its group's colour where it faces the viewer") {
   Snapshot snapshot = testing::single_sphere(0.4);
   for (const int type : {0, 1}) {
     snapshot.type[0] = type;
-    const PictureOptions options = bare(View::front);
+    const PictureOptions options = testing::bare_picture(View::front);
     const Image image = draw_particles(snapshot, options);
     const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
     const Colour seen = image.at(static_cast<int>(middle.x), static_cast<int>(middle.y));
@@ -147,7 +137,7 @@ TEST_CASE("leaving out hidden particles changes no byte") {
   testing::add_particle(snapshot, Vec3(0.5, 0.1, 0.6), 0.3, 0);
   testing::add_particle(snapshot, Vec3(0.5, 0.5, 1.7), 0.4, 1);
   for (const View view : {View::iso, View::top, View::bottom, View::right}) {
-    PictureOptions options = bare(view);
+    PictureOptions options = testing::bare_picture(view);
     options.supersampling = 2;
     const Image fast = draw_particles(snapshot, options);
     options.cull = false;
@@ -156,7 +146,7 @@ TEST_CASE("leaving out hidden particles changes no byte") {
 }
 
 TEST_CASE("micrometres look like metres") {
-  PictureOptions options = bare(View::iso);
+  PictureOptions options = testing::bare_picture(View::iso);
   options.container = true;
   const Image metres = draw_particles(testing::layered_packing(1), options);
   CHECK(difference(draw_particles(testing::layered_packing(1e-6), options), metres) < 0.01);
@@ -164,7 +154,7 @@ TEST_CASE("micrometres look like metres") {
 }
 
 TEST_CASE("the view stands still whatever the particles do") {
-  const PictureOptions options = bare(View::iso);
+  const PictureOptions options = testing::bare_picture(View::iso);
   const Snapshot full = testing::layered_packing(1);
   const Snapshot empty = testing::empty_box(full.domain.max);
   const Point a = Sight(full, options).pixel(Vec3(0.3, 0.2, 0.1));
@@ -174,7 +164,7 @@ TEST_CASE("the view stands still whatever the particles do") {
 }
 
 TEST_CASE("a box without particles is drawn") {
-  PictureOptions options = bare(View::iso);
+  PictureOptions options = testing::bare_picture(View::iso);
   const Snapshot snapshot = testing::empty_box(Vec3(1, 1, 2));
   CHECK(covered_pixels(draw_particles(snapshot, options)) == 0);
   options.container = true;
@@ -187,7 +177,7 @@ TEST_CASE("a box without particles is drawn") {
 }
 
 TEST_CASE("a painter draws the same picture twice, and others in between") {
-  PictureOptions options = bare(View::iso);
+  PictureOptions options = testing::bare_picture(View::iso);
   options.legend = options.time = options.container = true;
   ParticlePainter painter(options);
   const Image first = painter.paint(testing::layered_packing(1));
@@ -199,7 +189,7 @@ TEST_CASE("a painter draws the same picture twice, and others in between") {
 TEST_CASE("the floor does not hide the particles from below") {
   Snapshot snapshot = testing::single_sphere(0.4);
   snapshot.boundaries = {{"floor", "plane", Vec3::Zero(), Vec3::UnitZ()}};
-  PictureOptions options = bare(View::bottom);
+  PictureOptions options = testing::bare_picture(View::bottom);
   options.container = true;
   const Image below = draw_particles(snapshot, options);
   const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
@@ -214,7 +204,7 @@ TEST_CASE("the floor does not hide the particles from below") {
 
 TEST_CASE("a cylinder shows what lies in it, before its far wall") {
   Snapshot snapshot = testing::single_sphere(0.2);
-  PictureOptions options = bare(View::front);
+  PictureOptions options = testing::bare_picture(View::front);
   options.container = true;
   options.supersampling = 3;  // so that no line is missed
   const Sight sight(snapshot, options);
@@ -251,7 +241,7 @@ TEST_CASE("a cylinder shows what lies in it, before its far wall") {
 TEST_CASE("the depth of a pixel is that of the wall it shows") {
   Snapshot snapshot = testing::empty_box(Vec3::Ones());
   snapshot.boundaries = {testing::upright_cylinder(Vec3(0.5, 0.5, 0.1), 0.4, 0.8, 64)};
-  PictureOptions options = bare(View::front);
+  PictureOptions options = testing::bare_picture(View::front);
   options.container = true;
   ParticlePainter painter(options);
   painter.paint(snapshot);
@@ -265,7 +255,7 @@ TEST_CASE("a floor in the plane of another does not flicker through it") {
   Snapshot snapshot = testing::empty_box(Vec3::Ones());
   snapshot.boundaries.push_back(testing::upright_cylinder(Vec3(0.5, 0.5, 0), 0.4, 0.8, 64));
   for (const View view : {View::top, View::iso}) {
-    PictureOptions options = bare(view);
+    PictureOptions options = testing::bare_picture(view);
     options.container = true;
     const Image image = draw_particles(snapshot, options);
     const Sight sight(snapshot, options);
@@ -281,7 +271,7 @@ TEST_CASE("a floor in the plane of another does not flicker through it") {
 }
 
 TEST_CASE("a surface beyond the domain does not move the view") {
-  PictureOptions options = bare(View::iso);
+  PictureOptions options = testing::bare_picture(View::iso);
   options.container = true;
   Snapshot snapshot = testing::single_sphere(0.3);
   const Image alone = draw_particles(snapshot, options);
@@ -307,7 +297,7 @@ TEST_CASE("a plane is cut off at the box") {
 TEST_CASE("what is cut away shows what lies behind it") {
   Snapshot snapshot = testing::single_sphere(0.1);
   testing::add_particle(snapshot, Vec3(0.5, 0.2, 0.5), 0.3, 1);  // before the first, as seen from the front
-  PictureOptions options = bare(View::front);
+  PictureOptions options = testing::bare_picture(View::front);
   const Point middle = Sight(snapshot, options).pixel(snapshot.position[0]);
   const auto seen = [&](const std::string& cut) {
     options.cut = cut_from_text(cut);
@@ -331,7 +321,7 @@ TEST_CASE("what is cut away shows what lies behind it") {
 TEST_CASE("bad options are refused") {
   CHECK_THROWS_AS(view_named("above"), InputError);
   CHECK(view_named("bottom") == View::bottom);
-  PictureOptions options = bare(View::iso);
+  PictureOptions options = testing::bare_picture(View::iso);
   options.color = "charge";
   CHECK_THROWS_AS(draw_particles(testing::layered_packing(1), options), InputError);
   options.supersampling = 0;
