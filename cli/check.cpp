@@ -61,6 +61,12 @@ ordered_json as_json(const SceneCheck& c) {
     j["sinking_speed"] = value(c.overdamped->sinking_speed, "m/s");
     for (const char* of_impacts : {"reference_speed", "pairs", "loop_time"}) j.erase(of_impacts);
   }
+  if (c.way) {
+    j["way"] = {{"stiffness_factor", value(c.way->factor, "")},
+                {"time_step", value(c.way_step, "s")},
+                {"resting_overlap", value(c.way->resting_overlap, "radius")},
+                {"impact_overlap", value(c.way->impact_overlap, "radius")}};
+  }
   if (c.resting_overlap) j["resting_overlap"] = value(*c.resting_overlap, "radius");
   if (c.bond_number) j["bond_number"] = value(*c.bond_number, "");
   if (c.sticking_speed) j["sticking_speed"] = value(*c.sticking_speed, "m/s");
@@ -106,6 +112,12 @@ void print_text(const SceneCheck& c) {
   } else {
     line("time step", fmt::format("{:.3g} us, {} steps; recommended {:.3g} us, limit {:.3g} us ({})", c.time_step * 1e6,
                                   c.steps, c.limit.recommended * 1e6, c.limit.limit * 1e6, c.limit.pair));
+  }
+  if (c.way) {
+    line("way to rest",
+         fmt::format("{:.3g} of the stiffness, {:.3g} us steps, overlaps up to {:.2g} % of the radius under the bed's "
+                     "weight and {:.2g} % in falls; then full stiffness",
+                     c.way->factor, 1e6 * c.way_step, 100 * c.way->resting_overlap, 100 * c.way->impact_overlap));
   }
   if (c.resting_overlap) line("overlap at rest", fmt::format("{:.2g} % of the radius", 100 * *c.resting_overlap));
   if (c.bond_number) line("Bond number", fmt::format("{:.3g}", *c.bond_number));

@@ -16,7 +16,10 @@ inline constexpr PictureVerb plot_verb{
 inline constexpr PictureVerb report_verb{"report",
                                          "Write a page with the tables, charts and pictures of a run, or compare runs"};
 
-inline constexpr PictureVerb picture_verbs[] = {render_verb, slice_verb, plot_verb, report_verb};
+inline constexpr PictureVerb tradeoff_verb{
+    "tradeoff", "Run variants of a scene and chart error against cost, with a recommendation"};
+
+inline constexpr PictureVerb picture_verbs[] = {render_verb, slice_verb, plot_verb, report_verb, tradeoff_verb};
 
 /// Beside packstone.
 inline constexpr const char* pictures_program = "packstone-pictures";

@@ -14,5 +14,6 @@ void add_render(Program& program);
 void add_slice(Program& program);
 void add_plot(Program& program);
 void add_report(Program& program);
+void add_tradeoff(Program& program);
 
 }  // namespace packstone::cli

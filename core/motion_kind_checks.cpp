@@ -105,9 +105,37 @@ void check_overdamped(const Scene& s) {
   }
 }
 
+void check_goal_of_motion(const Scene& s) {
+  const DynamicsSpec& d = s.dynamics;
+  const std::string why = "goes with dynamics.goal = \"rest\"" + leave_out;
+  refuse(s, "dynamics.way_overlap", d.way_overlap.has_value(), why);
+  refuse(s, "dynamics.way_energy", d.way_energy.has_value(), why);
+  refuse(s, "dynamics.unbalanced_force", d.unbalanced_force.has_value(), why);
+}
+
+/// Under constant gravity, between walls that stand still, of contacts that softening changes in scale alone.
+void check_goal_of_rest(const Scene& s) {
+  const std::string why = "does not go with dynamics.goal = \"rest\", ";
+  refuse(s, "dynamics.goal", s.dynamics.overdamped(),
+         "\"rest\" goes with kind = \"newtonian\"; overdamped motion ends at rest by rest_force");
+  refuse(s, "gravity", !s.gravity.present, "is needed for dynamics.goal = \"rest\": without it nothing makes a bed");
+  refuse(s, "gravity.end", s.gravity.end.has_value(), why + "whose bed lies under gravity" + leave_out);
+  refuse(s, "gravity.formula", !s.gravity.formula.empty(), why + "whose bed lies under constant gravity" + leave_out);
+  refuse(s, "stage", !s.stages.empty(), why + "which has one end: the bed at rest");
+  refuse(s, "contact.van_der_waals", s.contact.van_der_waals.present,
+         why + "since softer contacts would stick more; take goal = \"motion\"");
+  refuse(s, "contact.normal", s.contact.normal == NormalModel::walton_braun,
+         why + "since these contacts keep the largest overlap that they had on the way; take goal = \"motion\"");
+  for (std::size_t k = 0; k < s.boundaries.size(); ++k) {
+    refuse(s, fmt::format("boundary[{}].motion", k), s.boundaries[k].motion.present,
+           why + "whose walls stand still; take goal = \"motion\"");
+  }
+}
+
 }  // namespace
 
 void check_motion_kind(const Scene& scene) {
+  scene.dynamics.goal == Goal::rest ? check_goal_of_rest(scene) : check_goal_of_motion(scene);
   scene.dynamics.overdamped() ? check_overdamped(scene) : check_newtonian(scene);
 }
 

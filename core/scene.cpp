@@ -90,6 +90,26 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
             "Of the forces between particles. mixed: single, from positions in fixed point; faster, with overlaps "
             "rounded by 1e-7 of the radii. Motion and walls are double either way"},
            {"double", "mixed"}, d.precision, has_default);
+  v.choice({"goal",
+            "What the run is for. motion: how the particles move. rest: the bed at rest alone, by the cheapest way "
+            "that keeps its statistics: a softened fall, then a balance of forces at full stiffness (docs/rest.md); "
+            "ends the run"},
+           {"motion", "rest"}, d.goal, has_default);
+  v.number({"way_overlap",
+            "goal = rest: overlap over radius that softer contacts may have under the bed's weight on the way; 0.002 "
+            "unless given. Smaller is dearer and nearer to the motion's bed",
+            unit::none, Range::above_up_to(0, 0.1)},
+           d.way_overlap);
+  v.number({"way_energy",
+            "goal = rest: kinetic energy, over the sum of the particles' m g d, at which the softened way ends; 0.005 "
+            "unless given",
+            unit::none, Range::above_up_to(0, 1)},
+           d.way_energy);
+  v.number({"unbalanced_force",
+            "goal = rest: mean net force on a particle over the mean contact force at which the bed is at rest; 0.02 "
+            "unless given",
+            unit::none, Range::above_up_to(0, 1)},
+           d.unbalanced_force);
   describe_resistance(v, "every particle", d.resistance);
   v.choice(
       {"integrator",
@@ -312,8 +332,17 @@ void fill_overdamped_defaults(Scene& s) {
   }
 }
 
+/// docs/rest.md: measured.
+void fill_rest_defaults(DynamicsSpec& d) {
+  constexpr double default_way_overlap = 2e-3, default_way_energy = 5e-3, default_unbalanced_force = 0.02;
+  if (!d.way_overlap) d.way_overlap = default_way_overlap;
+  if (!d.way_energy) d.way_energy = default_way_energy;
+  if (!d.unbalanced_force) d.unbalanced_force = default_unbalanced_force;
+}
+
 void fill_defaults(Scene& s) {
   if (s.dynamics.overdamped()) fill_overdamped_defaults(s);
+  if (s.dynamics.goal == Goal::rest) fill_rest_defaults(s.dynamics);
   if (s.dynamics.duration == 0) {
     for (const StageSpec& stage : s.stages) s.dynamics.duration += stage.duration;
   }

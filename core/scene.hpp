@@ -36,6 +36,8 @@ enum class Precision { double_precision, mixed };
 
 /// Newton's equations, or motion without inertia, in which forces set velocities.
 enum class MotionKind { newtonian, overdamped };
+/// What a run is for: the motion itself, or the bed at rest alone (docs/rest.md).
+enum class Goal { motion, rest };
 /// Of overdamped motion (docs/overdamped.md).
 enum class Integrator { automatic, euler, rkc, implicit };
 
@@ -55,6 +57,12 @@ struct DynamicsSpec {
   double rest_time = 0.01;           ///< for which it stays below [s]
   ContactVelocity contact_velocity = ContactVelocity::automatic;
   Precision precision = Precision::double_precision;
+
+  // The quick way to rest; there where goal is rest.
+  Goal goal = Goal::motion;
+  std::optional<double> way_overlap;       ///< that softening may lead to under the bed's weight, over the radius
+  std::optional<double> way_energy;        ///< kinetic, over the sum of m g d, with which the softened way ends
+  std::optional<double> unbalanced_force;  ///< of the bed at rest, mean net force over mean contact force
 
   // Overdamped.
   ResistanceSpec resistance;  ///< of groups without one of their own

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "engine/rest/rest_run.hpp"
 #include "engine/simulation.hpp"
 #include "engine/stopwatch.hpp"
 
@@ -22,12 +23,11 @@ std::string machine() {
   return "unknown";
 }
 
-}  // namespace
-
-RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, const RunControl& control) {
-  omp_set_num_threads(control.threads > 0 ? control.threads : omp_get_num_procs());
+/// Run: Simulation or RestRun.
+template <class Run>
+RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, const RunControl& control) {
   const Stopwatch clock;
-  Simulation simulation(scene);
+  Run simulation(scene);
   std::size_t warned = 0;
   const auto pass_on_warnings = [&] {
     for (; warned < simulation.warnings().size(); ++warned) {
@@ -86,6 +86,14 @@ RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, con
   finish(RunStatus::finished, "");
   pass_on_warnings();
   return record;
+}
+
+}  // namespace
+
+RunRecord run_scene(const Scene& scene, const std::filesystem::path& folder, const RunControl& control) {
+  omp_set_num_threads(control.threads > 0 ? control.threads : omp_get_num_procs());
+  return scene.dynamics.goal == Goal::rest ? run_recorded<RestRun>(scene, folder, control)
+                                           : run_recorded<Simulation>(scene, folder, control);
 }
 
 }  // namespace packstone::engine

@@ -5,17 +5,18 @@
 
 #include <fmt/format.h>
 
-#include "engine/contact/contact_scales.hpp"
 #include "engine/contact/van_der_waals.hpp"
+#include "engine/contact_loads.hpp"
 #include "engine/contact_pairs.hpp"
 #include "engine/dynamics/step.hpp"
+#include "engine/rest/relaxation.hpp"
+#include "engine/rest/rest_run.hpp"
 #include "engine/simulation.hpp"
 
 namespace packstone::engine {
 
 namespace {
 
-constexpr double bed_fraction = 0.6;  ///< of a loose bed, for its height
 // Peak memory and speed, docs/performance.md: bytes a particle, particle-steps a second on two cores.
 constexpr double bytes_a_particle = 550, bytes_with_friction = 1100;
 constexpr double rate_frictionless = 25e6, rate_with_friction = 10e6, rate_of_other_laws = 6e6;
@@ -25,13 +26,8 @@ constexpr double wanted_overlap = 0.005;  ///< of the radius: what a softened co
 
 double gravity_of(const Scene& scene) { return scene.gravity.present ? scene.gravity.acceleration.norm() : 0; }
 
-/// Extent of the domain along gravity [m].
-double fall_height(const Scene& scene, const Vec3& size) {
-  return size.cwiseProduct(scene.gravity.acceleration.cwiseAbs()).sum() / scene.gravity.acceleration.norm();
-}
-
 double reference_speed(const Scene& scene, const SceneCheck& check, const std::vector<SmallestParticle>& bodies) {
-  if (gravity_of(scene) > 0) return std::sqrt(2 * gravity_of(scene) * fall_height(scene, check.size));
+  if (gravity_of(scene) > 0) return fall_speed(scene, check.size);
   const double radius = bodies.empty() ? 0 : bodies.front().radius;
   return scene.filling.over() > 0 ? 2 * radius / scene.filling.over() : 1;
 }
@@ -42,29 +38,6 @@ void check_pairs(const Scene& scene, const Population& population, SceneCheck& c
     check.pairs.push_back({pair.name, pair.effective_mass(), impact, impact.largest_overlap / pair.smaller_radius,
                            impact.duration / check.time_step});
   }
-}
-
-/// Overlap at which the elastic force holds a load, over the radius.
-double overlap_under(const Scene& scene, const SmallestParticle& body, double load) {
-  const PairSize<double> size{2 / body.mass, 0.5 * body.radius};
-  const bool hertzian = is_hertzian(scene.contact.normal);
-  const double at = wanted_overlap * body.radius;
-  const double slope = contact_scales(scene, *body.material, *body.material, size, at).stiffness;
-  // Hertz' slope at an overlap is 3/2 F/xi there, and F goes as xi^(3/2).
-  const double overlap = hertzian ? at * std::pow(load / (slope * at / 1.5), 2.0 / 3) : load / slope;
-  return overlap / body.radius;
-}
-
-void check_rest(const Scene& scene, const std::vector<SmallestParticle>& bodies, SceneCheck& check) {
-  if (gravity_of(scene) == 0 || bodies.empty()) return;
-  const double area = check.size.prod() / fall_height(scene, check.size);
-  const double bed_height = check.solid_volume / (bed_fraction * area);
-  double share = 0;
-  for (const SmallestParticle& body : bodies) {
-    const double column = std::max(1.0, bed_height / (2 * body.radius));
-    share = std::max(share, overlap_under(scene, body, column * body.mass * gravity_of(scene)));
-  }
-  check.resting_overlap = share;
 }
 
 void check_attraction(const Scene& scene, const std::vector<SmallestParticle>& bodies, SceneCheck& check) {
@@ -87,7 +60,11 @@ void check_cost(const Scene& scene, SceneCheck& check) {
   const bool friction = rotates(scene);
   check.memory = n * (friction ? bytes_with_friction : bytes_a_particle);
   const double rate = !has_own_loop(scene) ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
-  if (!check.overdamped) check.seconds = n * static_cast<double>(check.steps) / rate;
+  if (check.way) {
+    check.seconds = n * scene.dynamics.duration / check.way_step / rate;
+  } else if (!check.overdamped) {
+    check.seconds = n * static_cast<double>(check.steps) / rate;
+  }
   check.snapshots = 1 + std::llround(std::floor(scene.dynamics.duration / scene.output.interval * (1 + 1e-12)));
   double bytes = bytes_in_a_snapshot + bytes_of_a_vector * static_cast<double>(scene.output.fields.size());
   if (scene.output.contacts) bytes += bytes_of_a_contact * contacts_a_particle;
@@ -145,11 +122,31 @@ void advise(const Scene& scene, SceneCheck& check) {
   }
 }
 
+/// What softening leaves to say.
+void advise_on_rest(const Scene& scene, SceneCheck& check) {
+  if (*check.resting_overlap > scene.monitor.overlap_limit) {
+    check.advice.push_back(
+        fmt::format("overlaps of up to {:.2g} % of the radius are to be expected at rest, beyond "
+                    "monitor.overlap_limit = {:g} %: raise {}",
+                    100 * *check.resting_overlap, 100 * scene.monitor.overlap_limit,
+                    is_hertzian(scene.contact.normal) ? "young_modulus" : "normal_stiffness"));
+  }
+  if (!can_relax(scene)) {
+    check.advice.push_back(
+        "dynamics.goal: friction keeps what happened on the way, so that rest is reached by the "
+        "scene's own motion at full stiffness; only the way down is cheaper");
+  }
+}
+
 }  // namespace
 
 SceneCheck check_scene(const Scene& scene) {
   const Simulation simulation(scene);
   SceneCheck check;
+  if (scene.dynamics.goal == Goal::rest) {
+    check.way = softening(scene, simulation.population(), simulation.solid_volume());
+    check.way_step = way_step(scene, *check.way, simulation.step_limit());
+  }
   check.particles = simulation.particle_count();
   check.size = simulation.scene().box().size();
   check.overdamped = simulation.overdamped();
@@ -166,10 +163,12 @@ SceneCheck check_scene(const Scene& scene) {
     check.reference_speed = reference_speed(scene, check, bodies);
     check_pairs(scene, simulation.population(), check);
   }
-  check_rest(scene, bodies, check);
+  if (gravity_of(scene) > 0 && !bodies.empty()) {
+    check.resting_overlap = resting_overlap(scene, simulation.population(), check.size, check.solid_volume);
+  }
   check_attraction(scene, bodies, check);
   check_cost(scene, check);
-  advise(scene, check);
+  check.way ? advise_on_rest(scene, check) : advise(scene, check);
   return check;
 }
 

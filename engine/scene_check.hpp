@@ -9,6 +9,7 @@
 #include "core/scene.hpp"
 #include "engine/contact/head_on.hpp"
 #include "engine/overdamped_scales.hpp"
+#include "engine/rest/softening.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -46,6 +47,10 @@ struct SceneCheck {
   std::int64_t snapshots = 0;
   double disk = 0;     ///< of all snapshots, about [bytes]
   double seconds = 0;  ///< of the steps on two cores of the machine of docs/performance.md, about [s]
+
+  /// Of dynamics.goal = "rest": how soft the way is, and its step [s].
+  std::optional<Softening> way;
+  double way_step = 0;
 
   std::vector<std::string> warnings;  ///< what a run would warn of
   std::vector<std::string> advice;    ///< what the scene could do without, or do cheaper

@@ -98,6 +98,9 @@ Simulation::Simulation(const Scene& scene)
     : Simulation(scene, Boundaries(scene, scene.box()),
                  scene.filling.kind == FillingKind::pour ? std::make_unique<Pouring>(scene) : nullptr) {}
 
+Simulation::Simulation(const Scene& scene, const StartingState& start)
+    : Simulation(scene, Boundaries(scene, scene.box()), nullptr, start) {}
+
 Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring)
     : Simulation(scene, std::move(boundaries), std::move(pouring), first_particles(scene, boundaries, pouring.get())) {}
 
@@ -163,6 +166,26 @@ double Simulation::solid_volume() const {
     if (particles_.is_particle(slot)) total += sphere_volume(particles_.now.rows[slot].radius);
   }
   return total;
+}
+
+StartingState Simulation::state() const {
+  StartingState state;
+  state.position.resize(particles_.size());
+  state.velocity.resize(particles_.size());
+  state.angular_velocity.assign(particles_.size(), Vec3::Zero());
+  state.radius.resize(particles_.size());
+  state.type.resize(particles_.size());
+  for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
+    if (!particles_.is_particle(slot)) continue;
+    const Row& row = particles_.now.rows[slot];
+    const std::int32_t id = particles_.id[slot];
+    state.position[id] = domain_.wrapped(row.position);
+    state.velocity[id] = row.velocity;
+    if (particles_.turns()) state.angular_velocity[id] = particles_.now.spins[slot].angular_velocity;
+    state.radius[id] = row.radius;
+    state.type[id] = particles_.type[slot];
+  }
+  return state;
 }
 
 bool Simulation::wants(OutputField field) const {

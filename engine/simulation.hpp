@@ -35,6 +35,8 @@ class Simulation {
  public:
   /// Checks what can be known before the run. Throws InputError located in the scene.
   explicit Simulation(const Scene& scene);
+  /// From particles that are in already, in place of the scene's filling.
+  Simulation(const Scene& scene, const StartingState& start);
 
   /// Runs to the scene's end on the threads OpenMP is set to. Throws RunError from the monitor, Interrupted when asked
   /// to stop. Snapshots have the same bits for any number of threads.
@@ -56,6 +58,10 @@ class Simulation {
   IntegratorWork work() const { return dynamics_->work(); }
   /// How it ended: at rest or not, and how nearly; empty unless that is known.
   const std::string& ending() const { return ending_; }
+  /// Whether the last stage had come to rest, as the scene defines it, when last seen.
+  bool at_rest() const { return stages_.at_rest(); }
+  /// Where the particles that are in are and how they move.
+  StartingState state() const;
   /// Of all particles, those still to be poured included [kg], and their volume at full size [m3].
   double total_mass() const;
   double solid_volume() const;

@@ -1,0 +1,37 @@
+// Runs of a study, kept in folders, so that a study goes on where it was stopped.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace packstone::cli {
+
+/// One run and what was measured of its last snapshot.
+struct Trial {
+  bool finished = false;
+  std::string reason;                    ///< why it failed
+  double seconds = 0;                    ///< of its loop, on the threads it had
+  double particle_steps = 0;             ///< particles times steps
+  std::map<std::string, double> values;  ///< by quantity, "packing.bulk_fraction"; those that have a value
+};
+
+struct TrialCall {
+  std::vector<std::string> quantities;  ///< "MEASURE.QUANTITY"
+  int threads = 0;                      ///< 0: as many as the machine has
+  std::function<bool()> should_stop;
+};
+
+/// "packing.bulk_fraction" of itself or of a short name, "packing_fraction". Throws InputError for an unknown one.
+std::string quantity_of(const std::string& name);
+
+/// Runs the scene into a folder of its own below another, named by label and scene, unless this build has done so
+/// already. A run that the monitor stops is a result. Throws InputError and Interrupted.
+Trial run_trial(const Scene& scene, const std::string& label, const std::filesystem::path& below,
+                const TrialCall& call);
+
+}  // namespace packstone::cli

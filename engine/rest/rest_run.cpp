@@ -1,0 +1,191 @@
+#include "engine/rest/rest_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "engine/rest/relaxation.hpp"
+#include "engine/time_step.hpp"
+
+namespace packstone::engine {
+
+namespace {
+
+// docs/rest.md has what these lead to.
+constexpr double way_step_over_recommended = 2.5;  ///< where nothing rubs: linear contacts stay stable
+constexpr double way_overlap_limit = 0.4;
+constexpr double energy_at_rest = 5e-5;  ///< kinetic, over the sum of m g d
+constexpr std::int64_t most_relaxing_steps = 200000;
+
+/// Long enough that particles that set out to fall do not count as resting: twice the time to that energy in free fall.
+double time_of_doubt(double speed, double gravity) { return 2 * speed / gravity; }
+
+Scene way_down(const Scene& scene, const Softening& way, double rest_speed, const StepLimit& full_limit) {
+  Scene soft = softened(scene, way.factor);
+  DynamicsSpec& d = soft.dynamics;
+  d.rest_speed = rest_speed;
+  d.rest_time = std::max(time_of_doubt(rest_speed, scene.gravity.acceleration.norm()), soft.output.history_interval);
+  d.time_step = way_step(scene, way, full_limit);
+  soft.monitor.overlap_limit = std::max(soft.monitor.overlap_limit, way_overlap_limit);
+  return soft;
+}
+
+}  // namespace
+
+double way_step(const Scene& scene, const Softening& way, const StepLimit& full_limit) {
+  const bool longer = can_relax(scene) && scene.contact.normal == NormalModel::linear;
+  const double chosen = full_limit.recommended * (longer ? way_step_over_recommended : 1.0);
+  const double full_step = std::min(chosen, scene.dynamics.time_step.value_or(chosen));
+  return std::min({full_step / std::sqrt(way.factor), scene.output.history_interval, scene.output.interval});
+}
+
+RestRun::RestRun(const Scene& scene) : scene_(scene), full_(scene), warnings_(full_.warnings()) {
+  way_ = softening(scene, full_.population(), full_.solid_volume());
+  const Scene soft = way_down(scene, way_, speed_at(*scene.dynamics.way_energy), full_.step_limit());
+  soft_ = scene.filling.kind == FillingKind::pour ? std::make_unique<Simulation>(soft)
+                                                  : std::make_unique<Simulation>(soft, full_.state());
+  way_step_ = *soft_->scene().dynamics.time_step;
+  present_ = soft_->present_count();
+}
+
+double RestRun::speed_at(double energy_share) const {
+  double diameters = 0, particles = 0;
+  for (const GroupSizes& group : full_.population()) {
+    const auto n = static_cast<double>(group.count);
+    diameters += n * (group.smallest_radius + group.largest_radius);
+    particles += n;
+  }
+  return std::sqrt(2 * energy_share * scene_.gravity.acceleration.norm() * diameters / std::max(particles, 1.0));
+}
+
+void RestRun::count(const Simulation& simulation) {
+  done_.steps += simulation.steps_done();
+  done_.loop_seconds += simulation.loop_seconds();
+  done_.list_seconds += simulation.list_seconds();
+  done_.list_builds += simulation.list_builds();
+  present_ = simulation.present_count();
+}
+
+void RestRun::go_down(const SimulationEvents& events) {
+  SimulationEvents seen = events;
+  seen.snapshot = [&](const Snapshot& s) {
+    if (!events.snapshot) return;
+    Snapshot as_of_scene = s;
+    as_of_scene.scene_text = to_toml(scene());
+    as_of_scene.scene_hash = scene_hash(scene());
+    events.snapshot(as_of_scene);
+  };
+  try {
+    soft_->run(seen);
+  } catch (...) {
+    count(*soft_);
+    throw;
+  }
+  count(*soft_);
+  time_ = static_cast<double>(soft_->steps_done() + 1) * way_step();  // the next row is another state
+  if (soft_->at_rest()) return;
+  throw RunError(
+      fmt::format("t = {:.6g} s: the bed has not come down in dynamics.duration: kinetic energy is still above {:g} of "
+                  "the sum of m g d (dynamics.way_energy); give it more time",
+                  time_, *scene_.dynamics.way_energy));
+}
+
+Scene RestRun::at_full_stiffness() const {
+  Scene full = scene_;
+  full.gravity.start = 0;
+  if (full.filling.kind != FillingKind::file) full.filling.kind = FillingKind::random;  // all are in, at full size
+  full.filling.duration.reset();
+  return full;
+}
+
+SimulationEvents RestRun::counting_on(const SimulationEvents& events,
+                                      const std::function<bool(std::int64_t)>& wants) const {
+  SimulationEvents on;
+  const std::int64_t steps = done_.steps;
+  on.snapshot = [this, &events, steps, wants](const Snapshot& s) {
+    if (!events.snapshot || !wants(s.step)) return;
+    Snapshot later = s;
+    later.step += steps;
+    later.time += time_;
+    later.scene_text = to_toml(scene());
+    later.scene_hash = scene_hash(scene());
+    events.snapshot(later);
+  };
+  on.history = [this, &events, steps, wants](const std::vector<std::string>& columns, const std::vector<double>& row) {
+    if (!events.history || !wants(static_cast<std::int64_t>(row[0]))) return;
+    std::vector<double> later = row;
+    later[0] += static_cast<double>(steps);
+    later[1] += time_;
+    events.history(columns, later);
+  };
+  on.progress = [this, &events, steps](std::int64_t step, std::int64_t all, double time) {
+    if (events.progress) events.progress(step + steps, all + steps, time + time_);
+  };
+  on.should_stop = events.should_stop;
+  return on;
+}
+
+void RestRun::balance(StartingState state, const SimulationEvents& events) {
+  const RelaxationLimits limits{*scene_.dynamics.unbalanced_force, most_relaxing_steps, scene_.monitor.overlap_limit};
+  Scene full = at_full_stiffness();
+  const Relaxation relaxed = relax(full, state, limits, events.should_stop);
+  done_.steps += relaxed.steps;
+  done_.loop_seconds += relaxed.loop_seconds;
+  done_.list_seconds += relaxed.list_seconds;
+  done_.list_builds += relaxed.list_builds;
+  // A step of the scene's own motion, whose beginning is the last row and snapshot: at its end the hysteretic law
+  // would already jitter.
+  full.dynamics.goal = Goal::motion;
+  full.dynamics.time_step = *scene().dynamics.time_step;
+  full.dynamics.duration = full.output.interval = full.output.history_interval = *full.dynamics.time_step;
+  Simulation last(full, state);
+  last.run(counting_on(events, [](std::int64_t step) { return step == 0; }));
+  present_ = last.present_count();
+  ending_ = fmt::format(
+      "{}: mean net force {:.3g} of the mean contact force, largest {:.3g} weights; {:.3g} of the stiffness and {:.3g} "
+      "us steps for {:.3g} s, then {} steps of relaxation at full stiffness",
+      relaxed.balance.unbalanced <= limits.unbalanced ? "at rest" : "not at rest", relaxed.balance.unbalanced,
+      relaxed.balance.largest_over_weight, way_.factor, 1e6 * way_step(), time_, relaxed.steps);
+  if (relaxed.balance.unbalanced > limits.unbalanced) {
+    throw RunError(
+        fmt::format("after {} steps of relaxation the mean net force is {:.3g} of the mean contact force, "
+                    "not {:g} (dynamics.unbalanced_force); raise that, or lower dynamics.way_energy",
+                    relaxed.steps, relaxed.balance.unbalanced, limits.unbalanced));
+  }
+}
+
+void RestRun::settle(const StartingState& state, const SimulationEvents& events) {
+  Scene full = at_full_stiffness();
+  full.dynamics.goal = Goal::motion;
+  full.dynamics.time_step = *scene().dynamics.time_step;
+  full.dynamics.duration = std::max(scene_.dynamics.duration - time_, *full.dynamics.time_step);
+  if (!full.dynamics.rest_speed) full.dynamics.rest_speed = speed_at(energy_at_rest);
+  Simulation last(full, state);
+  try {
+    last.run(counting_on(events, [](std::int64_t step) { return step > 0; }));  // the way told the first
+  } catch (...) {
+    count(last);
+    throw;
+  }
+  const double seconds = static_cast<double>(last.steps_done()) * *full.dynamics.time_step;
+  count(last);
+  ending_ = fmt::format(
+      "{}: {:.3g} of the stiffness and {:.3g} us steps for {:.3g} s, then {:.3g} s of motion at full stiffness",
+      last.at_rest() ? "at rest" : "not at rest", way_.factor, 1e6 * way_step(), time_, seconds);
+  if (last.at_rest()) return;
+  throw RunError(
+      fmt::format("t = {:.6g} s: the bed has not come to rest in dynamics.duration: the particles' "
+                  "root-mean-square speed is still above {:.3g} m/s; give it more time",
+                  time_ + seconds, *full.dynamics.rest_speed));
+}
+
+void RestRun::run(const SimulationEvents& events) {
+  go_down(events);
+  const StartingState state = soft_->state();
+  soft_.reset();
+  can_relax(scene_) ? balance(state, events) : settle(state, events);
+}
+
+}  // namespace packstone::engine

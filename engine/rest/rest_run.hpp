@@ -1,0 +1,77 @@
+// dynamics.goal = "rest": the bed at rest by the cheapest way that keeps its statistics (docs/rest.md).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "engine/rest/softening.hpp"
+#include "engine/simulation.hpp"
+
+namespace packstone::engine {
+
+/// Time step of the softened way down [s]. full_limit: of the scene at full stiffness.
+double way_step(const Scene& scene, const Softening& way, const StepLimit& full_limit);
+
+/// A softened fall, then a balance of forces at full stiffness; with friction, whose balance depends on the way, the
+/// scene's own motion at full stiffness instead. Seen from outside as a Simulation.
+class RestRun {
+ public:
+  /// Checks what can be known before the run. Throws InputError located in the scene.
+  explicit RestRun(const Scene& scene);
+
+  /// As Simulation::run. Times and steps of the way count on; accounts of energy begin anew at full stiffness. Throws
+  /// RunError also when the bed has not come down, or not to rest, in the scene's time.
+  void run(const SimulationEvents& events);
+
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// At full stiffness, "auto" replaced by what was chosen.
+  const Scene& scene() const { return full_.scene(); }
+  std::int64_t particle_count() const { return full_.particle_count(); }
+  std::int64_t present_count() const { return present_; }
+  const std::string& filling_hash() const { return full_.filling_hash(); }
+  std::int64_t steps_done() const { return done_.steps; }
+  double loop_seconds() const { return done_.loop_seconds; }
+  double list_seconds() const { return done_.list_seconds; }
+  std::int64_t list_builds() const { return done_.list_builds; }
+  IntegratorWork work() const { return {}; }
+  /// What was done and how nearly forces balance.
+  const std::string& ending() const { return ending_; }
+
+  const Softening& way() const { return way_; }
+  /// Of the way down [s].
+  double way_step() const { return way_step_; }
+
+ private:
+  struct Work {
+    std::int64_t steps = 0, list_builds = 0;
+    double loop_seconds = 0, list_seconds = 0;
+  };
+
+  void go_down(const SimulationEvents& events);
+  void count(const Simulation& simulation);
+  /// Of particles whose kinetic energy is this share of the sum of m g d, root mean square by mass [m/s].
+  double speed_at(double energy_share) const;
+  /// At full stiffness, from where the particles are.
+  Scene at_full_stiffness() const;
+  void balance(StartingState state, const SimulationEvents& events);
+  void settle(const StartingState& state, const SimulationEvents& events);
+  /// Events that count steps and times on, for the steps that are wanted.
+  SimulationEvents counting_on(const SimulationEvents& events, const std::function<bool(std::int64_t)>& wants) const;
+
+  Scene scene_;
+  Simulation full_;  ///< tells what the scene is; is not run
+  Softening way_;
+  std::unique_ptr<Simulation> soft_;
+  double way_step_ = 0;  ///< [s]
+  std::int64_t present_ = 0;
+  double time_ = 0;  ///< at which the way ended [s]
+  Work done_;
+  std::string ending_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace packstone::engine
