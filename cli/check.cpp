@@ -1,5 +1,6 @@
 // packstone check: what a scene would run, without running it.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "core/formats/text_output.hpp"
 #include "core/scene.hpp"
 #include "engine/scene_check.hpp"
 
@@ -21,6 +24,8 @@ using nlohmann::ordered_json;
 struct CheckOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;
+  std::filesystem::path minimal;
+  std::vector<std::string> keep;
   bool json = false;
 };
 
@@ -34,6 +39,10 @@ ordered_json as_json(const SceneCheck& c) {
                      {"restitution", value(p.impact.restitution, "")},
                      {"largest_overlap", value(p.overlap_share, "radius")},
                      {"steps", value(p.steps, "")}});
+  }
+  ordered_json simpler = ordered_json::array();
+  for (const auto& s : c.simplifications) {
+    simpler.push_back({{"key", s.key}, {"to", s.to}, {"why", s.why}, {"loss", s.loss}, {"gain", s.gain}});
   }
   ordered_json j = {
       {"particles", c.particles},
@@ -53,6 +62,7 @@ ordered_json as_json(const SceneCheck& c) {
       {"loop_time", value(c.seconds, "s")},
       {"warnings", c.warnings},
       {"advice", c.advice},
+      {"simplifications", simpler},
   };
   if (c.overdamped) {
     j["integrator"] = c.integrator;
@@ -127,10 +137,35 @@ void print_text(const SceneCheck& c) {
   if (!c.overdamped) print_impacts(c);
   for (const auto& text : c.warnings) fmt::print("\nwarning: {}\n", text);
   for (const auto& text : c.advice) fmt::print("\nadvice: {}\n", text);
+  if (!c.simplifications.empty()) fmt::print("\nwhat it could do without (--minimal FILE applies it)\n");
+  for (const auto& s : c.simplifications) {
+    fmt::print("  {}: {}; {}\n    loss: {}\n    gain: {}\n", s.key, s.to, s.why, s.loss, s.gain);
+  }
+}
+
+/// The simpler scene, with what was changed and why above it.
+void write_minimal(const CheckOptions& options, const Scene& scene, const SceneCheck& check) {
+  std::string head = fmt::format("# Simplified from {} by packstone check --minimal:\n", options.scene.string());
+  for (const auto& s : check.simplifications) {
+    const bool kept = std::find(options.keep.begin(), options.keep.end(), s.key) != options.keep.end();
+    head += kept ? fmt::format("# {} kept, which could be {}\n", s.key, s.to)
+                 : fmt::format("# {}: {}; {}. Loss: {}\n", s.key, s.to, s.why, s.loss);
+  }
+  formats::TextOutput file(options.minimal);
+  file.print("{}\n{}", head, to_toml(engine::simplified(scene, check.simplifications, options.keep)));
+  file.finish();
 }
 
 void check(const CheckOptions& options) {
-  const SceneCheck result = engine::check_scene(read_scene(options.scene, options.overrides));
+  const Scene scene = read_scene(options.scene, options.overrides);
+  const SceneCheck result = engine::check_scene(scene);
+  for (const std::string& key : options.keep) {
+    if (std::none_of(result.simplifications.begin(), result.simplifications.end(),
+                     [&](const auto& s) { return s.key == key; })) {
+      throw InputError(fmt::format("--keep {}: nothing would be changed there", key));
+    }
+  }
+  if (!options.minimal.empty()) write_minimal(options, scene, result);
   if (options.json) {
     fmt::print("{}\n", as_json(result).dump(2));
   } else {
@@ -145,6 +180,9 @@ void add_check(Program& program) {
   Verb verb = program.add_verb("check", "Tell what a scene would run: contacts, step, cost, advice; no run");
   verb.add("scene", options->scene, "Scene file (TOML)").required();
   verb.add("--set", options->overrides, "Override a key of the scene, KEY=VALUE; may be repeated").one_at_a_time();
+  verb.add("--minimal", options->minimal,
+           "Write the scene without what it could do without, every change with its loss in a comment");
+  verb.add("--keep", options->keep, "Keys that --minimal leaves as they are, by comma").by_comma();
   verb.add_flag("--json", options->json, "As JSON");
   verb.set_action([options] { check(*options); });
 }

@@ -332,12 +332,10 @@ void fill_overdamped_defaults(Scene& s) {
   }
 }
 
-/// docs/rest.md: measured.
 void fill_rest_defaults(DynamicsSpec& d) {
-  constexpr double default_way_overlap = 2e-3, default_way_energy = 5e-3, default_unbalanced_force = 0.02;
-  if (!d.way_overlap) d.way_overlap = default_way_overlap;
-  if (!d.way_energy) d.way_energy = default_way_energy;
-  if (!d.unbalanced_force) d.unbalanced_force = default_unbalanced_force;
+  if (!d.way_overlap) d.way_overlap = DynamicsSpec::default_way_overlap;
+  if (!d.way_energy) d.way_energy = DynamicsSpec::default_way_energy;
+  if (!d.unbalanced_force) d.unbalanced_force = DynamicsSpec::default_unbalanced_force;
 }
 
 void fill_defaults(Scene& s) {

@@ -21,8 +21,6 @@ namespace {
 constexpr double bytes_a_particle = 550, bytes_with_friction = 1100;
 constexpr double rate_frictionless = 25e6, rate_with_friction = 10e6, rate_of_other_laws = 6e6;
 constexpr double bytes_in_a_snapshot = 52, bytes_of_a_vector = 24, bytes_of_a_contact = 105, contacts_a_particle = 3;
-constexpr double negligible_bond_number = 0.01;
-constexpr double wanted_overlap = 0.005;  ///< of the radius: what a softened contact may have
 
 double gravity_of(const Scene& scene) { return scene.gravity.present ? scene.gravity.acceleration.norm() : 0; }
 
@@ -67,8 +65,7 @@ void check_cost(const Scene& scene, SceneCheck& check) {
   }
   check.snapshots = 1 + std::llround(std::floor(scene.dynamics.duration / scene.output.interval * (1 + 1e-12)));
   double bytes = bytes_in_a_snapshot + bytes_of_a_vector * static_cast<double>(scene.output.fields.size());
-  if (scene.output.contacts) bytes += bytes_of_a_contact * contacts_a_particle;
-  check.disk = n * bytes * static_cast<double>(check.snapshots);
+  check.disk = n * bytes * static_cast<double>(check.snapshots) + disk_of_contacts(scene, check);
 }
 
 /// Which integrator runs, and whether it is looked at too often.
@@ -90,35 +87,17 @@ void check_overdamped(const Scene& scene, SceneCheck& check) {
   }
 }
 
+const char* stiffness_key(const Scene& scene) {
+  return is_hertzian(scene.contact.normal) ? "young_modulus" : "normal_stiffness";
+}
+
 void advise(const Scene& scene, SceneCheck& check) {
-  if (scene.contact.tangential != TangentialModel::none && !rotates(scene)) {
-    check.advice.push_back("contact.tangential: all friction is 0, so it does nothing and costs nothing");
-  }
-  if (check.bond_number && *check.bond_number < negligible_bond_number) {
-    check.advice.push_back(
-        fmt::format("contact.van_der_waals: at a Bond number of {:.2g} it may be left out", *check.bond_number));
-  }
   double deepest = check.resting_overlap.value_or(0);
   for (const PairCheck& pair : check.pairs) deepest = std::max(deepest, pair.overlap_share);
-  const bool hertzian = is_hertzian(scene.contact.normal);
-  // Overlaps go as stiffness^(-1/2) in impacts of springs, ^(-2/5) of Hertz' contacts; steps as stiffness^(-1/2).
-  // Under a load as stiffness^-1 or ^(-2/3).
-  const double power = check.overdamped ? (hertzian ? 1.5 : 1.0) : (hertzian ? 2.5 : 2.0);
-  const double softer = std::pow(wanted_overlap / std::max(deepest, 1e-12), power);
-  if (deepest > 0 && softer > 2) {
-    check.advice.push_back(fmt::format(
-        "{}: overlaps stay below {:.2g} % of the radius; {:.2g} times less would keep them below {:g} %, with {}",
-        hertzian ? "young_modulus" : "normal_stiffness", 100 * deepest, softer, 100 * wanted_overlap,
-        check.overdamped ? "less to solve for" : fmt::format("a step {:.2g} times as long", std::sqrt(softer))));
-  }
   if (deepest > scene.monitor.overlap_limit) {
     check.advice.push_back(fmt::format(
         "overlaps of up to {:.2g} % of the radius are to be expected, beyond monitor.overlap_limit = {:g} %: raise {}",
-        100 * deepest, 100 * scene.monitor.overlap_limit, hertzian ? "young_modulus" : "normal_stiffness"));
-  }
-  if (!check.overdamped && scene.dynamics.time_step && check.time_step < 0.5 * check.limit.recommended) {
-    check.advice.push_back(fmt::format("dynamics.time_step: {:.3g} us would do, {:.2g} times as long",
-                                       1e6 * check.limit.recommended, check.limit.recommended / check.time_step));
+        100 * deepest, 100 * scene.monitor.overlap_limit, stiffness_key(scene)));
   }
 }
 
@@ -128,8 +107,7 @@ void advise_on_rest(const Scene& scene, SceneCheck& check) {
     check.advice.push_back(
         fmt::format("overlaps of up to {:.2g} % of the radius are to be expected at rest, beyond "
                     "monitor.overlap_limit = {:g} %: raise {}",
-                    100 * *check.resting_overlap, 100 * scene.monitor.overlap_limit,
-                    is_hertzian(scene.contact.normal) ? "young_modulus" : "normal_stiffness"));
+                    100 * *check.resting_overlap, 100 * scene.monitor.overlap_limit, stiffness_key(scene)));
   }
   if (!can_relax(scene)) {
     check.advice.push_back(
@@ -139,6 +117,12 @@ void advise_on_rest(const Scene& scene, SceneCheck& check) {
 }
 
 }  // namespace
+
+double disk_of_contacts(const Scene& scene, const SceneCheck& check) {
+  if (!scene.output.contacts) return 0;
+  return bytes_of_a_contact * contacts_a_particle * static_cast<double>(check.particles) *
+         static_cast<double>(check.snapshots);
+}
 
 SceneCheck check_scene(const Scene& scene) {
   const Simulation simulation(scene);
@@ -169,6 +153,7 @@ SceneCheck check_scene(const Scene& scene) {
   check_attraction(scene, bodies, check);
   check_cost(scene, check);
   check.way ? advise_on_rest(scene, check) : advise(scene, check);
+  check.simplifications = simplifications(scene, simulation, check);
   return check;
 }
 

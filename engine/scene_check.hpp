@@ -10,6 +10,7 @@
 #include "engine/contact/head_on.hpp"
 #include "engine/overdamped_scales.hpp"
 #include "engine/rest/softening.hpp"
+#include "engine/simplifications.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -52,9 +53,13 @@ struct SceneCheck {
   std::optional<Softening> way;
   double way_step = 0;
 
-  std::vector<std::string> warnings;  ///< what a run would warn of
-  std::vector<std::string> advice;    ///< what the scene could do without, or do cheaper
+  std::vector<std::string> warnings;            ///< what a run would warn of
+  std::vector<std::string> advice;              ///< what to change, lest the run goes wrong or waits for nothing
+  std::vector<Simplification> simplifications;  ///< what the scene could do without, or do cheaper
 };
+
+/// Of the snapshots' bytes, those that contacts take, about.
+double disk_of_contacts(const Scene& scene, const SceneCheck& check);
 
 /// Throws InputError where a run would.
 SceneCheck check_scene(const Scene& scene);

@@ -165,3 +165,21 @@ TEST_CASE("help and the reference of the scene's keys come from one declaration"
   CHECK(packstone_command("info --scene-reference markdown").output == scene_reference_markdown());
   CHECK(packstone_command("--version").exit_code == 0);
 }
+
+TEST_CASE("check --minimal writes the simpler scene with what was changed") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "scene.toml") << testing::small_scene;
+  const std::string scene = (folder / "scene.toml").string(), minimal = (folder / "minimal.toml").string();
+  const auto result =
+      packstone_command("check " + scene + " --set contact.tangential=coulomb --set dynamics.time_step=1e-6 " +
+                        "--minimal " + minimal + " --keep contact.tangential");
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.output, Contains("what it could do without") && Contains("dynamics.time_step"));
+  const std::string text = read_text_file(minimal);
+  CHECK_THAT(text, StartsWith("# Simplified from") && Contains("# dynamics.time_step: \"auto\"") &&
+                       Contains("# contact.tangential kept"));
+  CHECK(packstone_command("check " + minimal).exit_code == 0);
+  const auto refused = packstone_command("check " + scene + " --minimal " + minimal + " --keep title");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.output, Contains("--keep title"));
+}
