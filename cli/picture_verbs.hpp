@@ -19,7 +19,11 @@ inline constexpr PictureVerb report_verb{"report",
 inline constexpr PictureVerb tradeoff_verb{
     "tradeoff", "Run variants of a scene and chart error against cost, with a recommendation"};
 
-inline constexpr PictureVerb picture_verbs[] = {render_verb, slice_verb, plot_verb, report_verb, tradeoff_verb};
+inline constexpr PictureVerb stability_verb{
+    "stability", "Sweep steps and parameters and chart where models fail, with theory's limits"};
+
+inline constexpr PictureVerb picture_verbs[] = {render_verb, slice_verb,    plot_verb,
+                                                report_verb, tradeoff_verb, stability_verb};
 
 /// Beside packstone.
 inline constexpr const char* pictures_program = "packstone-pictures";

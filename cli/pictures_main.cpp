@@ -18,6 +18,7 @@ void add_verbs(packstone::cli::Program& program) {
   packstone::cli::add_plot(program);
   packstone::cli::add_report(program);
   packstone::cli::add_tradeoff(program);
+  packstone::cli::add_stability(program);
 }
 
 /// Pictures take and return megabytes all the time; handed back to the system they would come back as page faults.

@@ -15,5 +15,6 @@ void add_slice(Program& program);
 void add_plot(Program& program);
 void add_report(Program& program);
 void add_tradeoff(Program& program);
+void add_stability(Program& program);
 
 }  // namespace packstone::cli
