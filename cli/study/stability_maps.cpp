@@ -192,7 +192,7 @@ StabilityMap jitter_map() {
     return s.text();
   };
   map.trouble = [](const Outcome& o, double, double) {
-    constexpr double at_rest = 1e-9;  // of m g d
+    constexpr double at_rest = 1e-15;  // of m g d
     return o.kinetic <= at_rest
                ? ""
                : fmt::format("a sphere on the floor keeps {:.2g} of m g d as kinetic energy", o.kinetic);
