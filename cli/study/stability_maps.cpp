@@ -90,7 +90,7 @@ struct LawMap {
 StabilityMap step_map(const LawMap& law) {
   StabilityMap map;
   map.name = std::string("step_") + law.name;
-  map.description = fmt::format("{} contacts in a settling bed: time step against damping", law.law);
+  map.description = fmt::format("Settling bed, {} contacts: time step against damping", law.law);
   map.x_label = "Time step over contact time";
   map.y_label = law.y_label;
   map.x = {0.02, 0.04, 0.0765, 0.11, 0.15, 0.2, 0.27, 0.36, 0.48, 0.6, 0.75};
@@ -189,10 +189,11 @@ StabilityMap jitter_map() {
     s.material = fmt::format("normal_stiffness = {}\nnormal_damping = {}", bead_stiffness, g);
     s.particles = "count = 1\nradius = 0.005";
     s.filling = "kind = \"lattice\"\nspacing = 0.0101";
+    s.duration = 1;
     return s.text();
   };
   map.trouble = [](const Outcome& o, double, double) {
-    constexpr double at_rest = 1e-15;  // of m g d
+    constexpr double at_rest = 1e-13;  // of m g d
     return o.kinetic <= at_rest
                ? ""
                : fmt::format("a sphere on the floor keeps {:.2g} of m g d as kinetic energy", o.kinetic);

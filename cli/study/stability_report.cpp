@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/study/axis_range.hpp"
 #include "core/formats/text_output.hpp"
 #include "core/text.hpp"
 
@@ -13,6 +14,7 @@ namespace packstone::cli {
 
 namespace {
 
+constexpr viz::Colour line_colours[] = {viz::ink, {120, 60, 140}, {0, 120, 90}};
 constexpr Verdict verdicts[] = {Verdict::sound, Verdict::disturbed, Verdict::stopped, Verdict::refused};
 
 /// Light to dark from sound to refused, so that grey print tells them apart; safe for colour-blind readers.
@@ -50,7 +52,7 @@ std::pair<double, double> with_room(const std::vector<double>& values, bool loga
   const auto gaps = static_cast<double>(std::max<std::size_t>(values.size(), 2) - 1);
   if (logarithmic) {
     const double room = std::pow(*high / *low, 0.6 / gaps);
-    return {*low / room, *high * room};
+    return with_two_decades({*low / room, *high * room});
   }
   const double room = 0.6 * (*high - *low) / gaps;
   return {*low - room, *high + room};
@@ -95,7 +97,7 @@ viz::Chart stability_chart(const StabilityMap& map, const std::vector<MapPoint>&
   std::size_t index = 0;
   for (const Limit& limit : map.limits) {
     viz::Series line{limit.name, {}, {}};
-    line.colour = index++ == 0 ? viz::ink : viz::Colour{120, 60, 140};
+    line.colour = line_colours[std::min(index++, std::size(line_colours) - 1)];
     constexpr int pieces = 60;
     for (int k = 0; k <= pieces; ++k) {
       const double share = static_cast<double>(k) / pieces;

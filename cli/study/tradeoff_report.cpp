@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/study/axis_range.hpp"
 #include "core/formats/text_output.hpp"
 #include "core/text.hpp"
 
@@ -25,11 +26,8 @@ std::vector<const TradeoffRow*> rows_with(const Tradeoff& tradeoff, const std::s
   return rows;
 }
 
-/// The range and room beside it, so that two decades of a logarithmic axis are named.
-std::pair<double, double> decades_around(double low, double high) {
-  const auto decade = [](double x, auto round) { return std::pow(10, round(std::log10(x))); };
-  return {std::min(low / chart_margin, 0.9 * decade(low, [](double x) { return std::floor(x); })),
-          std::max(high * chart_margin, 1.1 * decade(high, [](double x) { return std::ceil(x); }))};
+std::pair<double, double> with_room(double low, double high) {
+  return with_two_decades({low / chart_margin, high * chart_margin});
 }
 
 std::string in_quotes(std::string text) {
@@ -113,8 +111,8 @@ viz::Chart tradeoff_chart(const Tradeoff& tradeoff, const std::string& quantity,
     dearest = std::max(dearest, row->seconds);
   }
   if (points.empty()) return chart;
-  chart.options.x_range = decades_around(cheapest, dearest);
-  chart.options.y_range = decades_around(std::max(lowest, 0.02 * highest), highest);
+  chart.options.x_range = with_room(cheapest, dearest);
+  chart.options.y_range = with_room(std::max(lowest, 0.02 * highest), highest);
   if (front.x.size() > 1) chart.series.push_back(front);
   chart.series.insert(chart.series.end(), points.begin(), points.end());
   return chart;
