@@ -129,6 +129,7 @@ std::vector<StabilityMap> step_maps() {
   maps.push_back(
       step_map({"kuwabara_kono", "kuwabara-kono", "Dissipation time over contact time", ratios(0.01, 1, 7),
                 [elastic](double b) { return elastic + fmt::format("dissipation_time = {}", b * contact_time); }}));
+  maps.back().log_y = true;
   maps.push_back(step_map(
       {"walton_braun", "walton-braun", "k_1/k_2", {0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1}, [springs](double share) {
          return springs + fmt::format("unloading_stiffness = {}", bead_stiffness / share);
@@ -175,7 +176,7 @@ StabilityMap growth_map() {
 StabilityMap jitter_map() {
   StabilityMap map;
   map.name = "jitter";
-  map.description = "Hysteretic contacts at rest: jitter of the jumping sign, and the sign speed that ends it";
+  map.description = "Hysteretic contact at rest: time step against sign speed";
   map.x_label = "Time step over contact time";
   map.y_label = "contact.sign_speed [m/s]";
   map.log_y = true;
@@ -206,7 +207,7 @@ StabilityMap jitter_map() {
 StabilityMap creep_map(const std::string& name, const std::string& law, const std::string& keys) {
   StabilityMap map;
   map.name = "creep_" + name;
-  map.description = law + ": whether a frictional bed that has settled goes on creeping on a slope of 10 degrees";
+  map.description = "Bed on a slope of 10 degrees, " + law + ": whether it creeps";
   map.x_label = "Time step over contact time";
   map.y_label = "Friction";
   map.x = ratios(0.01, 0.3, 8);
@@ -274,7 +275,7 @@ StabilityMap adhesion_map() {
 StabilityMap size_map() {
   StabilityMap map;
   map.name = "size_ratio";
-  map.description = "A few large spheres in a bed of small ones: the small ones set the step";
+  map.description = "Two large spheres in a bed of small ones: time step against ratio";
   map.x_label = "Time step over contact time of the small spheres";
   map.y_label = "Ratio of radii";
   map.x = {0.02, 0.04, 0.0765, 0.11, 0.15, 0.2, 0.27, 0.36, 0.48, 0.6};
@@ -300,7 +301,7 @@ StabilityMap size_map() {
 StabilityMap load_map() {
   StabilityMap map;
   map.name = "load";
-  map.description = "Weight of a column on its lowest sphere: where overlaps leave what contact laws are for";
+  map.description = "A column's weight on its lowest sphere";
   map.x_label = "k R over a sphere's weight";
   map.y_label = "Spheres in the column";
   map.log_y = true;
@@ -327,7 +328,7 @@ StabilityMap load_map() {
 StabilityMap overdamped_map() {
   StabilityMap map;
   map.name = "overdamped";
-  map.description = "Explicit Euler in overdamped motion: time step against stiffness over weight";
+  map.description = "Overdamped motion, explicit Euler: time step against stiffness";
   map.x_label = "Time step over mu/k";
   map.y_label = "chi, k R over a sphere's weight";
   map.log_y = true;
@@ -353,7 +354,7 @@ StabilityMap overdamped_map() {
 StabilityMap precision_map() {
   StabilityMap map;
   map.name = "precision";
-  map.description = "Single precision: rounding of forces against stiffness and the size of the largest sphere";
+  map.description = "Single precision: stiffness against the ratio of radii";
   map.x_label = "k R over a sphere's weight";
   map.y_label = "Ratio of radii";
   map.x = ratios(1e3, 1e7, 9);
@@ -381,7 +382,7 @@ StabilityMap precision_map() {
 StabilityMap wall_map() {
   StabilityMap map;
   map.name = "wall_speed";
-  map.description = "A sphere thrown at a thin plate: speed times step against the plate's stiffness";
+  map.description = "A sphere thrown at a thin plate: speed against stiffness";
   map.x_label = "Speed times time step over radius";
   map.y_label = "Impact overlap over radius";
   map.log_y = true;
