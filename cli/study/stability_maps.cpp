@@ -333,7 +333,7 @@ StabilityMap overdamped_map() {
   map.y_label = "chi, k R over a sphere's weight";
   map.log_y = true;
   map.x = ratios(0.05, 1.5, 9);
-  map.y = ratios(30, 3000, 5);
+  map.y = ratios(30, 1000, 5);
   map.scene = [](double x, double y) {
     const double k = y * bead_mass * earth_gravity / bead_radius, mu = 1;
     SceneText s;
