@@ -1,0 +1,43 @@
+#include "cli/study/map_parts.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace packstone::cli {
+
+std::string SceneText::text() const {
+  return fmt::format(
+      "[dynamics]\nduration = {}\n{}\n[domain]\n{}\n{}[contact]\n{}\n[[material]]\nname = \"m\"\ndensity = 2500\n{}\n"
+      "[[particles]]\nmaterial = \"m\"\n{}\n[filling]\n{}\n{}[output]\ninterval = {}\nhistory_interval = {}\n"
+      "contacts = false\nfields = [\"velocity\"]\n[monitor]\noverlap_limit = {}\n",
+      duration, dynamics, domain, gravity, contact, material, particles, filling, floor, duration / 4, duration / rows,
+      overlap_limit);
+}
+
+std::string step_key(double step) { return fmt::format("time_step = {}", step); }
+
+std::vector<double> ratios(double low, double high, int n) {
+  std::vector<double> values;
+  for (int k = 0; k < n; ++k) values.push_back(low * std::pow(high / low, static_cast<double>(k) / (n - 1)));
+  return values;
+}
+
+std::string energy_trouble(const Outcome& o) {
+  if (o.energy_error <= tolerable_energy_error) return "";
+  return fmt::format("the energy account is off by {:.2g} of what was put in", o.energy_error);
+}
+
+std::string rest_trouble(const Outcome& o) {
+  if (o.kinetic <= tolerable_kinetic) return "";
+  return fmt::format("kinetic energy stays at {:.2g} of the sum of m g d", o.kinetic);
+}
+
+Limit packing_line() {
+  return {"0.17 sqrt(m/k), O'Sullivan & Bray", [](double) { return packing_limit; }};
+}
+Limit single_line() {
+  return {"2/omega of one contact", [](double) { return single_contact_limit; }};
+}
+
+}  // namespace packstone::cli
