@@ -133,6 +133,14 @@ void Monitor::check_energy(const EnergyAccount& account, double time) {
   }
   largest_input_ = std::max(largest_input_, account.starting + std::abs(account.growth_work) +
                                                 std::abs(account.gravity_work) + std::abs(account.wall_work));
+  // An explicit step beyond its limit swings contacts open and shut, and resistance takes more than there is.
+  if (scene_.dynamics.overdamped() &&
+      account.error() > std::max(scene_.monitor.energy_tolerance * largest_input_, energy_noise_)) {
+    throw RunError(fmt::format(
+        "t = {:.6g} s: the motion is unstable: {:.4g} J more than was put in went against resistance, beyond "
+        "monitor.energy_tolerance = {:g} of the {:.4g} J put in so far; {}",
+        time, account.error(), scene_.monitor.energy_tolerance, largest_input_, step_advice()));
+  }
   const double unfed = account.mechanical() - account.input();  // dissipation can only lower it
   lowest_unfed_ = std::min(lowest_unfed_, unfed);
   if (unfed - lowest_unfed_ > std::max(scene_.monitor.energy_tolerance * largest_input_, energy_noise_)) {

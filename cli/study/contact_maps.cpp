@@ -106,7 +106,7 @@ StabilityMap precision_map() {
   map.x_label = "k R over a sphere's weight";
   map.y_label = "Ratio of radii";
   map.x = ratios(1e3, 1e7, 9);
-  map.y = {1, 2, 4};
+  map.y = {1, 1.5, 2};
   map.scene = [](double x, double y) {
     const double k = x * bead_mass * earth_gravity / bead_radius;
     SceneText s;

@@ -119,7 +119,7 @@ StabilityMap overdamped_map() {
     s.duration = 0.15 / (bead_mass * earth_gravity / mu);  // a free sphere sinks through the domain and more
     return s.text();
   };
-  map.trouble = [](const Outcome&, double, double) { return std::string(); };
+  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   map.limits = {{"2/(2 k/mu) of one contact", [](double) { return 1.0; }},
                 {"a fifth of it, for a bed's 6 contacts (docs/overdamped.md)", [](double) { return 0.2; }}};
   return map;

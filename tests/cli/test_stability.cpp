@@ -90,6 +90,7 @@ TEST_CASE("Growth too quick, attraction too steep and Euler's steps too long are
   CHECK(verdict_at("adhesion", 2 * steep, 1e-3) != Verdict::sound);
   CHECK(verdict_at("overdamped", 1.1, 300) == Verdict::refused);
   CHECK(verdict_at("overdamped", 0.15, 300) == Verdict::sound);
+  CHECK_THAT(outcome_at("overdamped", 0.5, 300).reason, Contains("the motion is unstable"));
 }
 
 TEST_CASE("Friction with springs holds a bed on a slope, friction by velocity lets it creep", "[stability]") {
