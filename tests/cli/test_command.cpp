@@ -183,3 +183,22 @@ TEST_CASE("check --minimal writes the simpler scene with what was changed") {
   CHECK(refused.exit_code == 2);
   CHECK_THAT(refused.output, Contains("--keep title"));
 }
+
+TEST_CASE("check and run tell the way to rest") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "scene.toml") << testing::small_scene;
+  const std::string scene = (folder / "scene.toml").string() +
+                            " --set dynamics.goal=rest --set dynamics.time_step=auto --set dynamics.duration=2";
+  const auto told = packstone_command("check " + scene + " --json");
+  REQUIRE(told.exit_code == 0);
+  const auto check = nlohmann::json::parse(told.output);
+  CHECK(check["way"]["stiffness_factor"]["value"] < 1);
+  CHECK(check["way"]["resting_overlap"]["value"] <= 0.002 * 1.0001);
+  CHECK_THAT(packstone_command("check " + scene).output, Contains("way to rest"));
+  const auto run = packstone_command("run " + scene + " --quiet -o " + (folder / "run").string());
+  CAPTURE(run.output);
+  REQUIRE(run.exit_code == 0);
+  const auto record = nlohmann::json::parse(read_text_file(folder / "run/run.json"));
+  CHECK_THAT(record["ending"].get<std::string>(), StartsWith("at rest") && Contains("steps of relaxation"));
+  CHECK(packstone_command("analyze " + (folder / "run").string() + " --only packing --quiet").exit_code == 0);
+}
