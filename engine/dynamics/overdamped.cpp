@@ -21,6 +21,19 @@ constexpr double longest_given_move = 0.5;  ///< in a given step: farther, it co
 constexpr double list_share = 0.3;          ///< of its radius, that each particle may move while a list serves
 constexpr double growth_in_step = 0.02;     ///< of the full radius
 constexpr double most_longer = 2, most_shorter = 0.2, safety = 0.9;  ///< of a step's length to the one before
+/// Over the particles.
+struct Extremes {
+  double fastest = 0;  ///< radii a second
+  double smallest = std::numeric_limits<double>::infinity();
+
+  Extremes& operator+=(const Extremes& o) {
+    fastest = std::max(fastest, o.fastest);
+    smallest = std::min(smallest, o.smallest);
+    return *this;
+  }
+  Extremes operator+(const Extremes& o) const { return Extremes(*this) += o; }
+};
+
 constexpr double shortest_share = 1e-10;  ///< of the time to go: a step so short goes nowhere
 
 }  // namespace
@@ -110,14 +123,12 @@ void Overdamped::write(Particles& particles, const SlotVectors& x, const SlotVec
 }
 
 double Overdamped::longest_step(const Particles& particles, double time, double until) {
-  double fastest = 0;  // radii a second
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < particles.slots(); ++s) {
-    if (!particles.is_particle(s)) continue;
+  const Extremes found = sum_in_blocks<Extremes>(particles.slots(), Extremes{}, [&](std::size_t s) {
+    if (!particles.is_particle(s)) return Extremes{};
     const Row& row = particles.now.rows[s];
-    fastest = std::max(fastest, row.velocity.norm() / row.radius);
-    smallest = std::min(smallest, row.radius);
-  }
+    return Extremes{row.velocity.norm() / row.radius, row.radius};
+  });
+  const double fastest = found.fastest, smallest = found.smallest;
   double longest = std::min(until, method_->stable_step(system_, time));
   if (fastest > 0) longest = std::min(longest, planned_move / fastest);
   const double growth_rate = growth_at(scene_, time).rate;
@@ -129,25 +140,35 @@ double Overdamped::longest_step(const Particles& particles, double time, double 
   return longest;
 }
 
+Overdamped::Moved& Overdamped::Moved::operator+=(const Moved& o) {
+  farthest = std::max(farthest, o.farthest);
+  share_squared = std::max(share_squared, o.share_squared);
+  sum += o.sum;
+  heat += o.heat;
+  work += o.work;
+  return *this;
+}
+
 Overdamped::Moved Overdamped::moved(const Particles& particles, double length) const {
   const NeighbourList& list = neighbours();
   const VectorArray& from = list.reference();
   const std::size_t n = particles.slots();
-  Moved all;
-  all.sum = sum_in_blocks<Vec3>(n, Vec3::Zero(), [&](std::size_t s) {
+  const Vec3 sum = sum_in_blocks<Vec3>(n, Vec3::Zero(), [&](std::size_t s) {
     return particles.is_particle(s) ? Vec3(x1_[s] - from.get(s)) : Vec3(Vec3::Zero());
   });
-  const Vec3 common = all.sum / static_cast<double>(std::max<std::size_t>(particles.size(), 1));
-  for (std::size_t s = 0; s < n; ++s) {
-    if (!particles.is_particle(s)) continue;
+  const Vec3 common = sum / static_cast<double>(std::max<std::size_t>(particles.size(), 1));
+  Moved all = sum_in_blocks<Moved>(n, Moved{}, [&](std::size_t s) {
+    Moved one;
+    if (!particles.is_particle(s)) return one;
     const Vec3 step = x1_[s] - x0_[s];
     const double far = step.norm() / particles.now.rows[s].radius;
-    all.farthest = std::isfinite(far) ? std::max(all.farthest, far) : std::numeric_limits<double>::infinity();
-    all.share_squared =
-        std::max(all.share_squared, (x1_[s] - from.get(s) - common).squaredNorm() * list.inverse_margin_squared()[s]);
-    all.heat += step.squaredNorm() / (length * system_.mobility()[s]);
-    all.work += system_.weight(s).dot(step);
-  }
+    one.farthest = std::isfinite(far) ? far : std::numeric_limits<double>::infinity();
+    one.share_squared = (x1_[s] - from.get(s) - common).squaredNorm() * list.inverse_margin_squared()[s];
+    one.heat = step.squaredNorm() / (length * system_.mobility()[s]);
+    one.work = system_.weight(s).dot(step);
+    return one;
+  });
+  all.sum = sum;
   return all;
 }
 

@@ -37,6 +37,9 @@ class Overdamped final : public Dynamics {
     Vec3 sum = Vec3::Zero();
     double heat = 0;  ///< against the resistance [J]
     double work = 0;  ///< of gravity [J]
+
+    Moved& operator+=(const Moved& o);
+    Moved operator+(const Moved& o) const { return Moved(*this) += o; }
   };
 
   void read(const Particles& particles);
