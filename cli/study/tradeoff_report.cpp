@@ -83,9 +83,9 @@ void write_csv(const std::filesystem::path& path, const Tradeoff& tradeoff) {
 
 viz::Chart tradeoff_chart(const Tradeoff& tradeoff, const std::string& quantity, const std::string& title) {
   viz::Chart chart;
-  chart.options.title = title;
+  chart.options.title = fmt::format("{}, beside \"{}\"", title, tradeoff.reference);
   chart.options.x_label = "Cost [s]";
-  chart.options.y_label = fmt::format("Error of {} beside \"{}\"", quantity, tradeoff.reference);
+  chart.options.y_label = "Error of " + quantity.substr(quantity.find('.') + 1);
   chart.options.log_x = chart.options.log_y = true;
   viz::Series front{"nothing cheaper is nearer", {}, {}};
   front.colour = viz::faint_ink;
