@@ -165,6 +165,10 @@ void check(const CheckOptions& options) {
       throw InputError(fmt::format("--keep {}: nothing would be changed there", key));
     }
   }
+  std::error_code none_there;
+  if (std::filesystem::equivalent(options.minimal, options.scene, none_there)) {
+    throw InputError(fmt::format("--minimal {}: is the scene itself; name another file", options.minimal.string()));
+  }
   if (!options.minimal.empty()) write_minimal(options, scene, result);
   if (options.json) {
     fmt::print("{}\n", as_json(result).dump(2));

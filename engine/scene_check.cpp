@@ -103,7 +103,7 @@ void advise(const Scene& scene, SceneCheck& check) {
 
 /// What softening leaves to say.
 void advise_on_rest(const Scene& scene, SceneCheck& check) {
-  if (*check.resting_overlap > scene.monitor.overlap_limit) {
+  if (check.resting_overlap.value_or(0) > scene.monitor.overlap_limit) {
     check.advice.push_back(
         fmt::format("overlaps of up to {:.2g} % of the radius are to be expected at rest, beyond "
                     "monitor.overlap_limit = {:g} %: raise {}",

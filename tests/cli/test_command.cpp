@@ -182,6 +182,9 @@ TEST_CASE("check --minimal writes the simpler scene with what was changed") {
   const auto refused = packstone_command("check " + scene + " --minimal " + minimal + " --keep title");
   CHECK(refused.exit_code == 2);
   CHECK_THAT(refused.output, Contains("--keep title"));
+  const auto itself = packstone_command("check " + scene + " --minimal " + scene);
+  CHECK(itself.exit_code == 2);
+  CHECK(read_text_file(scene) == testing::small_scene);
 }
 
 TEST_CASE("check and run tell the way to rest") {
