@@ -30,6 +30,12 @@ std::pair<double, double> with_room(double low, double high) {
   return with_two_decades({low / chart_margin, high * chart_margin});
 }
 
+/// " [m]"; nothing for a pure number.
+std::string unit_of(const Tradeoff& tradeoff, const std::string& quantity) {
+  const auto unit = tradeoff.units.find(quantity);
+  return unit == tradeoff.units.end() || unit->second.empty() ? "" : " [" + unit->second + "]";
+}
+
 std::string in_quotes(std::string text) {
   for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
   return "\"" + text + "\"";
@@ -38,7 +44,8 @@ std::string in_quotes(std::string text) {
 }  // namespace
 
 std::string to_markdown(const Tradeoff& tradeoff, const std::string& quantity) {
-  std::string text = fmt::format("{}, errors beside \"{}\"\n\n", quantity, tradeoff.reference);
+  std::string text =
+      fmt::format("{}{}, errors beside \"{}\"\n\n", quantity, unit_of(tradeoff, quantity), tradeoff.reference);
   text += "| variant | seconds | million particle steps | mean | spread | error | its standard error | |\n";
   text += "|---|---|---|---|---|---|---|---|\n";
   for (const TradeoffRow* row : rows_with(tradeoff, quantity)) {
@@ -85,7 +92,7 @@ viz::Chart tradeoff_chart(const Tradeoff& tradeoff, const std::string& quantity,
   viz::Chart chart;
   chart.options.title = fmt::format("{}, beside \"{}\"", title, tradeoff.reference);
   chart.options.x_label = "Cost [s]";
-  chart.options.y_label = "Error of " + quantity.substr(quantity.find('.') + 1);
+  chart.options.y_label = "Error of " + quantity.substr(quantity.find('.') + 1) + unit_of(tradeoff, quantity);
   chart.options.log_x = chart.options.log_y = true;
   viz::Series front{"nothing cheaper is nearer", {}, {}};
   front.colour = viz::faint_ink;

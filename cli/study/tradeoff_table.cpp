@@ -105,6 +105,7 @@ Tradeoff tradeoff_of(const std::vector<VariantTrials>& variants, const std::vect
   const VariantTrials& truth = chosen_reference(variants, reference);
   Tradeoff result;
   result.reference = truth.label;
+  result.units = truth.trials.front().units;
   for (const VariantTrials& variant : variants) result.rows.push_back(row_of(variant, truth, quantities));
   for (const std::string& quantity : quantities) mark_front(result.rows, quantity);
   return result;

@@ -44,7 +44,8 @@ struct TradeoffRow {
 
 struct Tradeoff {
   std::string reference;
-  std::vector<TradeoffRow> rows;  ///< in the variants' order
+  std::vector<TradeoffRow> rows;             ///< in the variants' order
+  std::map<std::string, std::string> units;  ///< by quantity
 
   /// Cheapest variant whose error is below the tolerance in every quantity that has one, two standard errors
   /// included; none where noise or error forbids it.

@@ -74,6 +74,7 @@ void measure(const fs::path& folder, const TrialCall& call, Trial& trial) {
         throw InputError(fmt::format("no quantity \"{}\"; there are: {}", wanted, joined(known)));
       }
       if (quantity->value) trial.values[wanted] = *quantity->value;
+      trial.units[wanted] = quantity->unit;
     }
   }
 }

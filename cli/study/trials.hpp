@@ -14,10 +14,11 @@ namespace packstone::cli {
 /// One run and what was measured of its last snapshot.
 struct Trial {
   bool finished = false;
-  std::string reason;                    ///< why it failed
-  double seconds = 0;                    ///< of its loop, on the threads it had
-  double particle_steps = 0;             ///< particles times steps
-  std::map<std::string, double> values;  ///< by quantity, "packing.bulk_fraction"; those that have a value
+  std::string reason;                             ///< why it failed
+  double seconds = 0;                             ///< of its loop, on the threads it had
+  double particle_steps = 0;                      ///< particles times steps
+  std::map<std::string, double> values;           ///< by quantity, "packing.bulk_fraction"; those that have a value
+  std::map<std::string, std::string> units = {};  ///< of them; empty for a pure number
 };
 
 struct TrialCall {
