@@ -1,5 +1,6 @@
 // packstone tradeoff: what each choice of model, step and method costs in a scene, and what it gives.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>

@@ -1,6 +1,7 @@
 // What a study changes in a scene: keys, and factors on what every scene has.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

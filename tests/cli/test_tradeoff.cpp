@@ -1,4 +1,5 @@
 // Error against cost: the arithmetic on made-up trials, the verb on a small scene.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
 // The quick way to rest against balances known exactly, and against the motion that it stands for.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
