@@ -42,6 +42,7 @@ struct TradeoffOptions {
   fs::path output = "tradeoff";
   std::string format = "png";
   FigureCall figure;
+  std::string title;
   bool quiet = false;
 };
 
@@ -125,16 +126,18 @@ void tradeoff(const TradeoffOptions& options) {
   const auto quantities = quantities_of(options, tolerances);
   catch_interrupts();
   const Tradeoff result = tradeoff_of(run_all(options, quantities), quantities, options.reference);
+  const std::string title = options.title.empty() ? read_scene(options.scene, options.overrides).title : options.title;
   std::string text;
   for (const std::string& quantity : quantities) {
     text += to_markdown(result, quantity) + "\n";
-    viz::Chart chart = tradeoff_chart(result, quantity, read_scene(options.scene, options.overrides).title);
+    viz::Chart chart = tradeoff_chart(result, quantity, title);
     if (chart.series.empty()) continue;
     take_size(options.figure, chart.options);
     save_figure(options.output / (quantity + "." + options.format), viz::chart_drawing(chart), options.figure,
                 chart.options.supersampling, chart.options.title);
   }
   text += failures(result);
+  if (options.seeds == 1) text += "one seed: what of an error is noise is not known; take more --seeds\n";
   if (!tolerances.empty()) text += advice(result, tolerances) + "\n";
   write_csv(options.output / "tradeoff.csv", result);
   formats::TextOutput table(options.output / "tradeoff.md");
@@ -175,6 +178,7 @@ void add_tradeoff(Program& program) {
       .shows_default();
   verb.add("--format", options->format, "Of the charts").one_of({"png", "svg", "pdf"}).shows_default();
   add_figure_options(verb, options->figure);
+  verb.add("--title", options->title, "Title of the charts [the scene's]");
   verb.add_flag("--quiet", options->quiet, "No text and no progress");
   verb.set_action([options] { tradeoff(*options); });
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include "engine/threads.hpp"
@@ -24,7 +23,9 @@ Value sum_in_blocks(std::size_t n, const Value& zero, const Term& term) {
     const std::size_t begin = b * block;
     for (std::size_t k = begin; k < std::min(begin + block, n); ++k) sums[b] += term(k);
   }
-  return std::accumulate(sums.begin(), sums.end(), zero);
+  Value total = zero;
+  for (const Value& sum : sums) total += sum;
+  return total;
 }
 
 /// use(0) ... use(n-1), on all threads.

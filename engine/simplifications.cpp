@@ -55,7 +55,7 @@ std::optional<Simplification> only_rest(const Scene& scene) {
   return Simplification{"dynamics.goal",
                         "\"rest\"",
                         "the run is to end at rest, nothing rubs or sticks, and no wall moves",
-                        "the motion before; packing fraction within 0.002, docs/rest.md",
+                        "the motion before; packing fraction within 0.003, docs/tradeoff.md",
                         "twenty times quicker and more, docs/rest.md",
                         [](Scene& s) {
                           s.dynamics.goal = Goal::rest;

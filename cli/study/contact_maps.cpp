@@ -13,7 +13,6 @@ StabilityMap jitter_map() {
   StabilityMap map;
   map.name = "jitter";
   map.description = "Hysteretic contact at rest: time step against sign speed";
-  map.x_label = "Time step over contact time";
   map.y_label = "contact.sign_speed [m/s]";
   map.log_y = true;
   map.x = ratios(0.005, 0.3, 9);
@@ -21,15 +20,15 @@ StabilityMap jitter_map() {
   static constexpr double g = 0.7;
   map.scene = [](double x, double y) {
     SceneText s;
-    s.dynamics = step_key(x * contact_time);
+    s.dynamics = step_in_contact_times(x);
     s.contact = fmt::format("normal = \"hysteretic\"\nsign_speed = {}", y);
     s.material = fmt::format("normal_stiffness = {}\nnormal_damping = {}", bead_stiffness, g);
-    s.particles = "count = 1\nradius = 0.005";
+    s.particles = beads(1);
     s.filling = "kind = \"lattice\"\nspacing = 0.0101";
     s.duration = 1;
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) {
+  map.trouble = [](const Outcome& o) {
     constexpr double at_rest = 1e-13;  // of m g d
     return o.kinetic <= at_rest
                ? ""
@@ -44,7 +43,6 @@ StabilityMap adhesion_map() {
   StabilityMap map;
   map.name = "adhesion";
   map.description = "Van der Waals attraction: the smallest gap against the time step";
-  map.x_label = "Time step over contact time";
   map.y_label = "Smallest gap over radius";
   map.log_y = true;
   map.x = ratios(0.002, 0.5, 9);
@@ -54,14 +52,13 @@ StabilityMap adhesion_map() {
   map.scene = [](double x, double y) {
     SceneText s;
     const double gap = y * bead_radius;
-    s.dynamics = step_key(x * contact_time);
+    s.dynamics = step_in_contact_times(x);
     s.contact =
         fmt::format("normal = \"linear\"\n[contact.van_der_waals]\nhamaker = {}\nmin_gap = {}", hamaker(gap), gap);
-    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.5", bead_stiffness);
+    s.material = bead_material();
     s.duration = 0.2;
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   // The force's slope over the gap is A R_eff/(3 h^3), 2 F/h.
   map.limits = {{"2 sqrt(m_eff/slope) of the attraction at the smallest gap",
                  [](double y) {
@@ -85,15 +82,14 @@ StabilityMap load_map() {
     const double k = x * bead_mass * earth_gravity / bead_radius;
     SceneText s;
     s.contact = "normal = \"linear\"";
-    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.1", k);
-    s.particles = fmt::format("count = {}\nradius = 0.005", static_cast<int>(y));
+    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.5", k);
+    s.particles = beads(static_cast<int>(y));
     s.domain = fmt::format("min = [0, 0, 0]\nmax = [0.011, 0.011, {}]", 0.0101 * y + 0.001);
     s.filling = "kind = \"lattice\"\nspacing = 0.010001";
     const double slowest = 4 * y * std::sqrt(bead_mass / k);  // periods of the column's swing
     s.duration = 20 * slowest;
     return s.text();
   };
-  map.trouble = [](const Outcome&, double, double) { return std::string(); };
   map.limits = {{"weight above = k R monitor.overlap_limit", [](double n) { return n / bed_overlap_limit; }},
                 {"twice that: a load put on at once", [](double n) { return 2 * n / bed_overlap_limit; }}};
   return map;
@@ -113,15 +109,14 @@ StabilityMap precision_map() {
     s.dynamics = "precision = \"mixed\"\ntime_step = \"auto\"";
     s.contact = "normal = \"linear\"";
     s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.1", k);
-    s.particles = fmt::format("count = 1\nradius = 0.005\n[[particles]]\nmaterial = \"m\"\ncount = 1\nradius = {}",
-                              y * bead_radius);
+    s.particles = beads_and(1, 1, y * bead_radius);
     s.domain = fmt::format("min = [0, 0, 0]\nmax = [{0}, {0}, {1}]\nopen = [\"z+\"]", 2.02 * y * bead_radius,
                            5 * y * bead_radius);
     s.filling = fmt::format("kind = \"lattice\"\nspacing = {}", 2.001 * y * bead_radius);
     s.duration = 0.6;
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return rest_trouble(o); };
+  map.trouble = rest_trouble;
   // engine/force_resolution.hpp: 7e-8 of the mean radius.
   map.limits = {{"rounding = a hundredth of the weight", [](double y) { return 0.01 / (7e-8 * 0.5 * (1 + y)); }}};
   return map;

@@ -8,14 +8,22 @@ namespace packstone::cli {
 
 std::string SceneText::text() const {
   return fmt::format(
-      "[dynamics]\nduration = {}\n{}\n[domain]\n{}\n{}[contact]\n{}\n[[material]]\nname = \"m\"\ndensity = 2500\n{}\n"
+      "[dynamics]\nduration = {}\n{}\n[domain]\n{}\n{}[contact]\n{}\n[[material]]\nname = \"m\"\ndensity = {}\n{}\n"
       "[[particles]]\nmaterial = \"m\"\n{}\n[filling]\n{}\n{}[output]\ninterval = {}\nhistory_interval = {}\n"
       "contacts = false\nfields = [\"velocity\"]\n[monitor]\noverlap_limit = {}\n",
-      duration, dynamics, domain, gravity, contact, material, particles, filling, floor, duration / 4, duration / rows,
-      overlap_limit);
+      duration, dynamics, domain, gravity, contact, bead_density, material, particles, filling, floor, duration / 4,
+      duration / rows, overlap_limit);
 }
 
-std::string step_key(double step) { return fmt::format("time_step = {}", step); }
+std::string beads(int count) { return fmt::format("count = {}\nradius = {}", count, bead_radius); }
+
+std::string beads_and(int count, int further, double radius) {
+  return beads(count) + fmt::format("\n[[particles]]\nmaterial = \"m\"\ncount = {}\nradius = {}", further, radius);
+}
+
+std::string bead_material() { return fmt::format("normal_stiffness = {}\nrestitution = 0.5\n", bead_stiffness); }
+
+std::string step_in_contact_times(double share) { return fmt::format("time_step = {}", share * contact_time); }
 
 std::vector<double> ratios(double low, double high, int n) {
   std::vector<double> values;
@@ -23,12 +31,8 @@ std::vector<double> ratios(double low, double high, int n) {
   return values;
 }
 
-std::string energy_trouble(const Outcome& o) {
-  if (o.energy_error <= tolerable_energy_error) return "";
-  return fmt::format("the energy account is off by {:.2g} of what was put in", o.energy_error);
-}
-
 std::string rest_trouble(const Outcome& o) {
+  constexpr double tolerable_kinetic = 1e-3;  // of the sum of m g d
   if (o.kinetic <= tolerable_kinetic) return "";
   return fmt::format("kinetic energy stays at {:.2g} of the sum of m g d", o.kinetic);
 }

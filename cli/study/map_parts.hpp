@@ -21,15 +21,20 @@ inline constexpr double single_contact_limit = 2 / std::numbers::pi;  ///< of th
 /// 0.17 sqrt(m/k): O'Sullivan & Bray, Eng. Comput. 21 (2004) 278.
 inline const double packing_limit = 0.17 * std::numbers::sqrt2 / std::numbers::pi;
 
-inline constexpr double bed_overlap_limit = 0.15;
-inline constexpr double tolerable_energy_error = 0.02;  ///< of what was put in
-inline constexpr double tolerable_kinetic = 1e-3;       ///< of the sum of m g d, of a bed that should be at rest
+inline constexpr double bed_overlap_limit = 0.15;  ///< of the radius: beads are soft, and fall
+
+/// Of [[particles]]: so many beads, and further spheres of another radius [m].
+std::string beads(int count);
+std::string beads_and(int count, int further, double radius);
+
+/// Of [[material]]: their stiffness, restitution 0.5.
+std::string bead_material();
 
 /// Tables of a scene in the order of a file.
 struct SceneText {
   std::string dynamics, contact, material, filling = "kind = \"random\"";
   double duration = 0.4;
-  std::string particles = "count = 60\nradius = 0.005";
+  std::string particles = beads(60);
   std::string domain = "min = [0, 0, 0]\nmax = [0.042, 0.042, 0.12]\nperiodic = [\"x\", \"y\"]\nopen = [\"z+\"]";
   std::string gravity = "[gravity]\nacceleration = [0, 0, -9.8]\n";
   double rows = 100;  ///< of history
@@ -39,15 +44,14 @@ struct SceneText {
   std::string text() const;
 };
 
-/// "time_step = ..."
-std::string step_key(double step);
+/// time_step, so many contact times.
+std::string step_in_contact_times(double share);
 
 /// n values from low to high, equal ratios apart.
 std::vector<double> ratios(double low, double high, int n);
 
-/// What is wrong; empty if nothing is.
-std::string energy_trouble(const Outcome& o);
-std::string rest_trouble(const Outcome& o);
+/// What is wrong where a bed keeps more than 1e-3 of the sum of m g d as kinetic energy; empty if nothing is.
+std::string rest_trouble(const Outcome& outcome);
 
 Limit packing_line();
 Limit single_line();

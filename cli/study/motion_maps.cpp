@@ -20,10 +20,10 @@ StabilityMap growth_map() {
   map.log_y = true;
   map.scene = [](double x, double y) {
     SceneText s;
-    s.dynamics = step_key(y * contact_time);
+    s.dynamics = step_in_contact_times(y);
     s.contact = "normal = \"linear\"";
-    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.5", bead_stiffness);
-    s.particles = "count = 150\nradius = 0.005";
+    s.material = bead_material();
+    s.particles = beads(150);
     s.domain = "volume_factor = 1.667\naspect = [1, 1, 1]\nperiodic = [\"x\", \"y\", \"z\"]";
     s.filling = fmt::format("kind = \"growth\"\nduration = {}", x * contact_time);
     s.gravity = s.floor = "";
@@ -31,7 +31,6 @@ StabilityMap growth_map() {
     s.rows = std::max(2.0, std::min(50.0, std::floor(s.duration / (y * contact_time))));
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   map.limits = {{"overlap of an impact at the radii's speed = monitor.overlap_limit",
                  [](double) { return 2 / (std::numbers::pi * bed_overlap_limit); }}};
   return map;
@@ -41,19 +40,18 @@ StabilityMap creep_map(const std::string& name, const std::string& law, const st
   StabilityMap map;
   map.name = "creep_" + name;
   map.description = "Bed on a slope of 10 degrees, " + law + ": whether it creeps";
-  map.x_label = "Time step over contact time";
   map.y_label = "Friction";
   map.x = ratios(0.01, 0.3, 8);
   map.y = {0.05, 0.1, 0.176, 0.3, 0.5, 0.8};
   map.scene = [law, keys](double x, double y) {
     constexpr double slope = 10 * std::numbers::pi / 180;
     SceneText s;
-    s.dynamics = step_key(x * contact_time);
+    s.dynamics = step_in_contact_times(x);
     s.contact = fmt::format("normal = \"linear\"\ntangential = \"{}\"", law);
-    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.5\nfriction = {}\n{}", bead_stiffness, y, keys);
+    s.material = bead_material() + fmt::format("friction = {}\n{}", y, keys);
     s.gravity = fmt::format("[gravity]\nacceleration = [{}, 0, {}]\n", earth_gravity * std::sin(slope),
                             -earth_gravity * std::cos(slope));
-    s.particles = "count = 40\nradius = 0.005";
+    s.particles = beads(40);
     s.domain = "min = [0, 0, 0]\nmax = [0.05, 0.042, 0.08]\nperiodic = [\"y\"]\nopen = [\"z+\"]";
     s.floor +=
         "[[boundary]]\nname = \"stop\"\nkind = \"plane\"\npoint = [0.05, 0, 0]\nnormal = [-1, 0, 0]\n"
@@ -61,7 +59,7 @@ StabilityMap creep_map(const std::string& name, const std::string& law, const st
     s.duration = 2;
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) {
+  map.trouble = [](const Outcome& o) {
     constexpr double still = 1e-5;  // m/s, root mean square
     double sum = 0;
     const auto velocity = o.last.fields.find("velocity");
@@ -83,18 +81,17 @@ StabilityMap size_map() {
   map.y = {1, 1.5, 2, 3, 4, 6};
   map.scene = [](double x, double y) {
     SceneText s;
-    s.dynamics = step_key(x * contact_time);
+    s.dynamics = step_in_contact_times(x);
     s.contact = "normal = \"linear\"";
-    s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.5", bead_stiffness);
+    s.material = bead_material();
     const double side = std::max(0.042, 4.8 * y * bead_radius);
     const auto small = static_cast<int>(60 * std::pow(side / 0.042, 2));
-    s.particles = fmt::format("count = {}\nradius = 0.005\n[[particles]]\nmaterial = \"m\"\ncount = 2\nradius = {}",
-                              small, y * bead_radius);
+    s.particles = beads_and(small, 2, y * bead_radius);
+    s.overlap_limit = 0.5;  // of the small ones, on which large ones fall
     s.domain = fmt::format("min = [0, 0, 0]\nmax = [{0}, {0}, {1}]\nperiodic = [\"x\", \"y\"]\nopen = [\"z+\"]", side,
                            std::max(0.12, 8 * y * bead_radius));
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   map.limits = {packing_line(), single_line()};
   return map;
 }
@@ -112,14 +109,13 @@ StabilityMap overdamped_map() {
     const double k = y * bead_mass * earth_gravity / bead_radius, mu = 1;
     SceneText s;
     s.dynamics =
-        fmt::format("kind = \"overdamped\"\nviscosity = {}\nintegrator = \"euler\"\n{}", mu, step_key(x * mu / k));
+        fmt::format("kind = \"overdamped\"\nviscosity = {}\nintegrator = \"euler\"\ntime_step = {}", mu, x * mu / k);
     s.contact = "normal = \"linear\"";
     s.material = fmt::format("normal_stiffness = {}", k);
     s.overlap_limit = 0.9;
     s.duration = 0.15 / (bead_mass * earth_gravity / mu);  // a free sphere sinks through the domain and more
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   map.limits = {{"2/(2 k/mu) of one contact", [](double) { return 1.0; }},
                 {"a fifth of it, for a bed's 6 contacts (docs/overdamped.md)", [](double) { return 0.2; }}};
   return map;
@@ -139,10 +135,10 @@ StabilityMap wall_map() {
     // Overlap of an undamped impact: v sqrt(m/k).
     const double k = bead_mass * std::pow(speed / (y * bead_radius), 2);
     SceneText s;
-    s.dynamics = step_key(x * bead_radius / speed);
+    s.dynamics = fmt::format("time_step = {}", x * bead_radius / speed);
     s.contact = "normal = \"linear\"";
     s.material = fmt::format("normal_stiffness = {}\nrestitution = 0.9", k);
-    s.particles = "count = 1\nradius = 0.005";
+    s.particles = beads(1);
     s.gravity = "";
     s.filling =
         "kind = \"pour\"\nrate = 1e6\nregion_min = [0.01, 0.01, 0.1]\nregion_max = [0.032, 0.032, 0.118]\nvelocity = "
@@ -155,7 +151,7 @@ StabilityMap wall_map() {
     s.rows = 4;
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) {
+  map.trouble = [](const Outcome& o) {
     if (o.last.position.empty() || o.last.position.front()[2] > 0) return std::string();
     return std::string("it went through the plate");
   };

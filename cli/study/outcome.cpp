@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "cli/study/stability_map.hpp"
 #include "core/error.hpp"
 #include "core/geometry.hpp"
@@ -41,6 +43,12 @@ const char* to_string(Verdict verdict) {
   return "refused";
 }
 
+std::string energy_trouble(const Outcome& o) {
+  constexpr double tolerable_energy_error = 0.02;  // of what was put in
+  if (o.energy_error <= tolerable_energy_error) return "";
+  return fmt::format("the energy account is off by {:.2g} of what was put in", o.energy_error);
+}
+
 Outcome outcome_of(const Scene& scene) {
   Outcome outcome;
   double largest_error = 0, input = 0;
@@ -54,10 +62,7 @@ Outcome outcome_of(const Scene& scene) {
     outcome.coordination = of("coordination");
     outcome.kinetic = of("kinetic_translational");
   };
-  events.snapshot = [&](const Snapshot& s) {
-    if (outcome.first.position.empty()) outcome.first = s;
-    outcome.last = s;
-  };
+  events.snapshot = [&](const Snapshot& s) { outcome.last = s; };
   try {
     engine::Simulation simulation(scene);
     simulation.run(events);
@@ -68,7 +73,7 @@ Outcome outcome_of(const Scene& scene) {
     outcome.verdict = Verdict::stopped;
     outcome.reason = error.what();
   }
-  const double falls = scene.filling.kind == FillingKind::file ? 0 : fall_energies(scene);
+  const double falls = fall_energies(scene);
   outcome.kinetic = falls > 0 ? outcome.kinetic / falls : 0;
   return outcome;
 }
@@ -82,7 +87,7 @@ MapPoint point_of(const StabilityMap& map, double x, double y) {
     point.outcome.reason = error.what();
   }
   if (point.outcome.verdict != Verdict::sound) return point;
-  point.outcome.reason = map.trouble(point.outcome, x, y);
+  point.outcome.reason = map.trouble(point.outcome);
   if (!point.outcome.reason.empty()) point.outcome.verdict = Verdict::disturbed;
   return point;
 }

@@ -26,11 +26,14 @@ struct Outcome {
   double energy_error = 0;  ///< largest over the run, over the energy put in
   double kinetic = 0;       ///< at the end, over the sum of m g d; 0 without gravity
   double coordination = 0;  ///< at the end
-  Snapshot first, last;
+  Snapshot last;
 };
 
 /// Runs the scene in memory. A run that the engine refuses or stops is an outcome.
 Outcome outcome_of(const Scene& scene);
+
+/// What is wrong with an energy account that is off by more than 2 % of what was put in; empty if nothing is.
+std::string energy_trouble(const Outcome& outcome);
 
 /// A line that theory draws into a map.
 struct Limit {
@@ -40,12 +43,13 @@ struct Limit {
 
 struct StabilityMap {
   std::string name, description;
-  std::string x_label, y_label;
-  std::vector<double> x, y;
-  bool log_x = true, log_y = false;
+  std::string x_label = "Time step over contact time";
+  std::string y_label;
+  std::vector<double> x, y;  ///< x on a logarithmic axis
+  bool log_y = false;
   std::function<std::string(double x, double y)> scene;
   /// What is wrong with a run that came to its end; empty if nothing is.
-  std::function<std::string(const Outcome& outcome, double x, double y)> trouble;
+  std::function<std::string(const Outcome&)> trouble = energy_trouble;
   std::vector<Limit> limits;
 };
 

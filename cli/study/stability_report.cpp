@@ -77,9 +77,9 @@ viz::Chart stability_chart(const StabilityMap& map, const std::vector<MapPoint>&
   chart.options.title = map.description;
   chart.options.x_label = map.x_label;
   chart.options.y_label = map.y_label;
-  chart.options.log_x = map.log_x;
+  chart.options.log_x = true;
   chart.options.log_y = map.log_y;
-  chart.options.x_range = with_room(map.x, map.log_x);
+  chart.options.x_range = with_room(map.x, true);
   chart.options.y_range = with_room(map.y, map.log_y);
   for (const Verdict verdict : verdicts) {
     viz::Series series{legend_of(verdict), {}, {}};

@@ -24,18 +24,16 @@ StabilityMap step_map(const LawMap& law) {
   StabilityMap map;
   map.name = std::string("step_") + law.name;
   map.description = fmt::format("Settling bed, {} contacts: time step against damping", law.law);
-  map.x_label = "Time step over contact time";
   map.y_label = law.y_label;
   map.x = {0.02, 0.04, 0.0765, 0.11, 0.15, 0.2, 0.27, 0.36, 0.48, 0.6, 0.75};
   map.y = law.y;
   map.scene = [law](double x, double y) {
     SceneText s;
-    s.dynamics = step_key(x * contact_time);
+    s.dynamics = step_in_contact_times(x);
     s.contact = fmt::format("normal = \"{}\"", law.law);
     s.material = law.material(y);
     return s.text();
   };
-  map.trouble = [](const Outcome& o, double, double) { return energy_trouble(o); };
   map.limits = {packing_line(), single_line()};
   return map;
 }
@@ -73,7 +71,7 @@ std::vector<StabilityMap> step_maps() {
       step_map({"hysteretic", "hysteretic", "Damping g", {0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95}, [springs](double g) {
                   return springs + fmt::format("normal_damping = {}", g);
                 }}));
-  maps.back().trouble = [](const Outcome& o, double, double) {
+  maps.back().trouble = [](const Outcome& o) {
     const std::string energy = energy_trouble(o);
     return energy.empty() ? rest_trouble(o) : energy;
   };

@@ -31,7 +31,6 @@ struct Extremes {
     smallest = std::min(smallest, o.smallest);
     return *this;
   }
-  Extremes operator+(const Extremes& o) const { return Extremes(*this) += o; }
 };
 
 constexpr double shortest_share = 1e-10;  ///< of the time to go: a step so short goes nowhere

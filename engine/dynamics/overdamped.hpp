@@ -39,7 +39,6 @@ class Overdamped final : public Dynamics {
     double work = 0;  ///< of gravity [J]
 
     Moved& operator+=(const Moved& o);
-    Moved operator+(const Moved& o) const { return Moved(*this) += o; }
   };
 
   void read(const Particles& particles);

@@ -32,7 +32,7 @@ constexpr double longest_step_over_recommended = 3;  ///< 0.5 sqrt(m/k)
 constexpr double longest_move = 0.05;                ///< of its radius, that a particle may make in a step
 constexpr double list_share = 0.02;                  ///< of its radius, that each may move while a list serves
 constexpr std::int64_t look_steps = 50;              ///< between two looks at contact forces
-constexpr double no_limit = 1e3;
+constexpr double no_limit = 1e3;                     ///< of overlaps on the way: the end is checked
 
 /// Without what is not elastic.
 Scene elastic_part(Scene scene) {
@@ -59,7 +59,6 @@ struct Instant {
     net_force += o.net_force;
     return *this;
   }
-  Instant operator+(const Instant& o) const { return Instant(*this) += o; }
 };
 
 struct Moved {
@@ -71,7 +70,6 @@ struct Moved {
     share_squared = std::max(share_squared, o.share_squared);
     return *this;
   }
-  Moved operator+(const Moved& o) const { return Moved(*this) += o; }
 };
 
 class Relaxer {
@@ -98,14 +96,14 @@ class Relaxer {
     Relaxation done;
     double contact_force = std::numeric_limits<double>::infinity();
     while (true) {
-      if (done.steps % look_steps == 0) {
+      if (done.work.steps % look_steps == 0) {
         if (should_stop && should_stop()) throw Interrupted("stopped while forces were being brought into balance");
         contact_force = mean_contact_force();
       }
       renew_list();
       field_->find(particles_, input_, nullptr);
       const Instant now = instant();
-      const bool last = done.steps >= limits.most_steps;
+      const bool last = done.work.steps >= limits.most_steps;
       if (last || mean_net_force(now) <= limits.unbalanced * contact_force) {
         contact_force = mean_contact_force();
         if (last || mean_net_force(now) <= limits.unbalanced * contact_force) {
@@ -114,12 +112,12 @@ class Relaxer {
         }
       }
       advance(now);
-      ++done.steps;
+      ++done.work.steps;
     }
     check_overlap(limits.overlap);
-    done.loop_seconds = clock.seconds();
-    done.list_seconds = list_seconds_;
-    done.list_builds = field_->neighbours().builds();
+    done.work.loop_seconds = clock.seconds();
+    done.work.list_seconds = list_seconds_;
+    done.work.list_builds = field_->neighbours().builds();
     return done;
   }
 
@@ -161,7 +159,7 @@ class Relaxer {
 
   double mean_net_force(const Instant& now) const { return now.net_force / static_cast<double>(particles_.size()); }
 
-  /// Without contacts: infinite, since nothing is at rest then [N].
+  /// 0 without contacts, so that nothing counts as balanced then [N].
   double mean_contact_force() {
     renew_list();
     Recorder recorder;

@@ -16,12 +16,24 @@ struct ForceBalance {
   double largest_over_weight = 0;  ///< largest net force on a particle over its weight
 };
 
-struct Relaxation {
-  ForceBalance balance;
-  std::int64_t steps = 0;
+/// Steps and what they took.
+struct StepWork {
+  std::int64_t steps = 0, list_builds = 0;
   double loop_seconds = 0;  ///< lists of neighbours included
   double list_seconds = 0;
-  std::int64_t list_builds = 0;
+
+  StepWork& operator+=(const StepWork& o) {
+    steps += o.steps;
+    list_builds += o.list_builds;
+    loop_seconds += o.loop_seconds;
+    list_seconds += o.list_seconds;
+    return *this;
+  }
+};
+
+struct Relaxation {
+  ForceBalance balance;
+  StepWork work;
 };
 
 struct RelaxationLimits {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "engine/rest/relaxation.hpp"
+#include "core/geometry.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -15,8 +15,8 @@ namespace {
 
 // docs/rest.md has what these lead to.
 constexpr double way_step_over_recommended = 2.5;  ///< where nothing rubs: linear contacts stay stable
-constexpr double way_overlap_limit = 0.4;
-constexpr double energy_at_rest = 5e-5;  ///< kinetic, over the sum of m g d
+constexpr double way_overlap_limit = 0.4;          ///< of the smaller radius: several spheres may press at once
+constexpr double energy_at_rest = 5e-5;            ///< kinetic, over the sum of m g d
 constexpr std::int64_t most_relaxing_steps = 200000;
 
 /// Long enough that particles that set out to fall do not count as resting: twice the time to that energy in free fall.
@@ -51,31 +51,33 @@ RestRun::RestRun(const Scene& scene) : scene_(scene), full_(scene), warnings_(fu
 }
 
 double RestRun::speed_at(double energy_share) const {
-  double diameters = 0, particles = 0;
-  for (const GroupSizes& group : full_.population()) {
-    const auto n = static_cast<double>(group.count);
-    diameters += n * (group.smallest_radius + group.largest_radius);
-    particles += n;
+  double mass_by_diameter = 0, mass = 0;
+  for (std::size_t g = 0; g < full_.population().size(); ++g) {
+    const GroupSizes& group = full_.population()[g];
+    const double diameter = group.smallest_radius + group.largest_radius;
+    const double density = scene_.materials[scene_.material_index(scene_.particles[g].material)].density;
+    const double of_group = static_cast<double>(group.count) * density * sphere_volume(0.5 * diameter);
+    mass_by_diameter += of_group * diameter;
+    mass += of_group;
   }
-  return std::sqrt(2 * energy_share * scene_.gravity.acceleration.norm() * diameters / std::max(particles, 1.0));
+  return std::sqrt(2 * energy_share * scene_.gravity.acceleration.norm() * mass_by_diameter / mass);
 }
 
 void RestRun::count(const Simulation& simulation) {
-  done_.steps += simulation.steps_done();
-  done_.loop_seconds += simulation.loop_seconds();
-  done_.list_seconds += simulation.list_seconds();
-  done_.list_builds += simulation.list_builds();
+  done_ += {simulation.steps_done(), simulation.list_builds(), simulation.loop_seconds(), simulation.list_seconds()};
   present_ = simulation.present_count();
+}
+
+Snapshot RestRun::told(Snapshot snapshot) const {
+  snapshot.scene_text = to_toml(scene());
+  snapshot.scene_hash = scene_hash(scene());
+  return snapshot;
 }
 
 void RestRun::go_down(const SimulationEvents& events) {
   SimulationEvents seen = events;
   seen.snapshot = [&](const Snapshot& s) {
-    if (!events.snapshot) return;
-    Snapshot as_of_scene = s;
-    as_of_scene.scene_text = to_toml(scene());
-    as_of_scene.scene_hash = scene_hash(scene());
-    events.snapshot(as_of_scene);
+    if (events.snapshot) events.snapshot(told(s));
   };
   try {
     soft_->run(seen);
@@ -97,6 +99,8 @@ Scene RestRun::at_full_stiffness() const {
   full.gravity.start = 0;
   if (full.filling.kind != FillingKind::file) full.filling.kind = FillingKind::random;  // all are in, at full size
   full.filling.duration.reset();
+  full.dynamics.goal = Goal::motion;
+  full.dynamics.time_step = *scene().dynamics.time_step;
   return full;
 }
 
@@ -106,11 +110,9 @@ SimulationEvents RestRun::counting_on(const SimulationEvents& events,
   const std::int64_t steps = done_.steps;
   on.snapshot = [this, &events, steps, wants](const Snapshot& s) {
     if (!events.snapshot || !wants(s.step)) return;
-    Snapshot later = s;
+    Snapshot later = told(s);
     later.step += steps;
     later.time += time_;
-    later.scene_text = to_toml(scene());
-    later.scene_hash = scene_hash(scene());
     events.snapshot(later);
   };
   on.history = [this, &events, steps, wants](const std::vector<std::string>& columns, const std::vector<double>& row) {
@@ -131,14 +133,9 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
   const RelaxationLimits limits{*scene_.dynamics.unbalanced_force, most_relaxing_steps, scene_.monitor.overlap_limit};
   Scene full = at_full_stiffness();
   const Relaxation relaxed = relax(full, state, limits, events.should_stop);
-  done_.steps += relaxed.steps;
-  done_.loop_seconds += relaxed.loop_seconds;
-  done_.list_seconds += relaxed.list_seconds;
-  done_.list_builds += relaxed.list_builds;
+  done_ += relaxed.work;
   // A step of the scene's own motion, whose beginning is the last row and snapshot: at its end the hysteretic law
   // would already jitter.
-  full.dynamics.goal = Goal::motion;
-  full.dynamics.time_step = *scene().dynamics.time_step;
   full.dynamics.duration = full.output.interval = full.output.history_interval = *full.dynamics.time_step;
   Simulation last(full, state);
   last.run(counting_on(events, [](std::int64_t step) { return step == 0; }));
@@ -147,19 +144,17 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
       "{}: mean net force {:.3g} of the mean contact force, largest {:.3g} weights; {:.3g} of the stiffness and {:.3g} "
       "us steps for {:.3g} s, then {} steps of relaxation at full stiffness",
       relaxed.balance.unbalanced <= limits.unbalanced ? "at rest" : "not at rest", relaxed.balance.unbalanced,
-      relaxed.balance.largest_over_weight, way_.factor, 1e6 * way_step(), time_, relaxed.steps);
+      relaxed.balance.largest_over_weight, way_.factor, 1e6 * way_step(), time_, relaxed.work.steps);
   if (relaxed.balance.unbalanced > limits.unbalanced) {
     throw RunError(
         fmt::format("after {} steps of relaxation the mean net force is {:.3g} of the mean contact force, "
                     "not {:g} (dynamics.unbalanced_force); raise that, or lower dynamics.way_energy",
-                    relaxed.steps, relaxed.balance.unbalanced, limits.unbalanced));
+                    relaxed.work.steps, relaxed.balance.unbalanced, limits.unbalanced));
   }
 }
 
 void RestRun::settle(const StartingState& state, const SimulationEvents& events) {
   Scene full = at_full_stiffness();
-  full.dynamics.goal = Goal::motion;
-  full.dynamics.time_step = *scene().dynamics.time_step;
   full.dynamics.duration = std::max(scene_.dynamics.duration - time_, *full.dynamics.time_step);
   if (!full.dynamics.rest_speed) full.dynamics.rest_speed = speed_at(energy_at_rest);
   Simulation last(full, state);

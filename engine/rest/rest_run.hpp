@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene.hpp"
+#include "engine/rest/relaxation.hpp"
 #include "engine/rest/softening.hpp"
 #include "engine/simulation.hpp"
 
@@ -46,19 +47,17 @@ class RestRun {
   double way_step() const { return way_step_; }
 
  private:
-  struct Work {
-    std::int64_t steps = 0, list_builds = 0;
-    double loop_seconds = 0, list_seconds = 0;
-  };
-
   void go_down(const SimulationEvents& events);
   void count(const Simulation& simulation);
-  /// Of particles whose kinetic energy is this share of the sum of m g d, root mean square by mass [m/s].
+  /// Of particles whose kinetic energy is this share of the sum of m g d, root mean square by mass [m/s]. d is midway
+  /// between a group's smallest and largest.
   double speed_at(double energy_share) const;
-  /// At full stiffness, from where the particles are.
+  /// Its motion at full stiffness, from where the particles are, under gravity.
   Scene at_full_stiffness() const;
   void balance(StartingState state, const SimulationEvents& events);
   void settle(const StartingState& state, const SimulationEvents& events);
+  /// The scene's own text in place of that of the simulation that made it.
+  Snapshot told(Snapshot snapshot) const;
   /// Events that count steps and times on, for the steps that are wanted.
   SimulationEvents counting_on(const SimulationEvents& events, const std::function<bool(std::int64_t)>& wants) const;
 
@@ -69,7 +68,7 @@ class RestRun {
   double way_step_ = 0;  ///< [s]
   std::int64_t present_ = 0;
   double time_ = 0;  ///< at which the way ended [s]
-  Work done_;
+  StepWork done_;
   std::string ending_;
   std::vector<std::string> warnings_;
 };

@@ -127,7 +127,7 @@ TEST_CASE("A column relaxes to the overlaps that bear what stands above", "[rest
         hertz ? std::pow(above / (4.0 / 3 * std::sqrt(r) * modulus), 2.0 / 3) : above / rest_stiffness;
     const double gap = i > 0 ? state.position[i][2] - state.position[i - 1][2] - radii[i] - radii[i - 1]
                              : state.position[0][2] - radii[0];
-    CHECK(-gap == Approx(overlap).epsilon(1e-6));
+    CHECK(-gap == Approx(overlap).epsilon(1e-7));
     CHECK(state.velocity[i].isZero(0));
     top = std::max(top, overlap);
   }
@@ -182,8 +182,8 @@ TEST_CASE("A softened contact keeps its restitution", "[rest]") {
     const Impact one = impact_of(hard, *a.a, *a.b, a.size, speed), other = impact_of(soft, *b.a, *b.b, b.size, speed);
     CAPTURE(contact, material, a.name, one.restitution);
     CHECK(one.restitution < 0.99);
-    CHECK(other.restitution == Approx(one.restitution).epsilon(1e-3));
-    CHECK(other.largest_overlap == Approx(one.largest_overlap * std::pow(0.01, -power)).epsilon(1e-3));
+    CHECK(other.restitution == Approx(one.restitution).epsilon(1e-4));
+    CHECK(other.largest_overlap == Approx(one.largest_overlap * std::pow(0.01, -power)).epsilon(1e-4));
   }
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("A run to rest ends with the floor bearing the bed", "[rest]") {
   run.run(told.events());
   const double mass = run.scene().materials[0].density + run.scene().materials[1].density;
   const double weight = 60 * mass * 4 / 3 * std::numbers::pi * 8e-6 * rest_gravity;
-  CHECK(-told.last("floor.force_z") == Approx(weight).epsilon(0.01));
+  CHECK(-told.last("floor.force_z") == Approx(weight).epsilon(2e-4));
   CHECK(told.last("max_speed") < 1e-3);
   CHECK(told.last("particles") == 120);
   CHECK_THAT(run.ending(), Contains("at rest") && !Contains("not at rest"));
@@ -241,7 +241,8 @@ TEST_CASE("With friction a run to rest ends in the scene's own motion", "[rest]"
   run.run(told.events());
   CHECK_THAT(run.ending(), Contains("at rest") && Contains("of motion at full stiffness"));
   CHECK(told.last("kinetic_translational") > 0);
-  CHECK(told.last("kinetic_translational") < 5e-5 * told.last("gravitational"));
+  const double falls = 60 * (1200 + 7800) * 4.0 / 3 * std::numbers::pi * 8e-6 * rest_gravity * 0.04;  // sum of m g d
+  CHECK(told.last("kinetic_translational") < 5.1e-5 * falls);
 }
 
 TEST_CASE("A run to rest that gets no time says what it lacks", "[rest]") {
