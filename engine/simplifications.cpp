@@ -34,12 +34,10 @@ std::optional<Simplification> without_attraction(const SceneCheck& check) {
 
 std::optional<Simplification> without_friction_law(const Scene& scene) {
   if (scene.contact.tangential == TangentialModel::none || rotates(scene)) return std::nullopt;
-  return Simplification{"contact.tangential",
-                        "\"none\"",
-                        "all friction is 0",
-                        "none",
-                        "none: it is not worked out as it is",
-                        [](Scene& s) { s.contact.tangential = TangentialModel::none; }};
+  return Simplification{
+      "contact.tangential", "\"none\"", "all friction is 0", "none", "none: it costs nothing as it is", [](Scene& s) {
+        s.contact.tangential = TangentialModel::none;
+      }};
 }
 
 /// A bed that is run until it rests is wanted for itself.
@@ -56,7 +54,7 @@ std::optional<Simplification> only_rest(const Scene& scene) {
                         "\"rest\"",
                         "the run is to end at rest, nothing rubs or sticks, and no wall moves",
                         "the motion before; packing fraction within 0.003, docs/tradeoff.md",
-                        "twenty times quicker and more, docs/rest.md",
+                        "2 to 50 times quicker, docs/tradeoff.md",
                         [](Scene& s) {
                           s.dynamics.goal = Goal::rest;
                           if (!s.dynamics.way_overlap) s.dynamics.way_overlap = DynamicsSpec::default_way_overlap;
