@@ -29,7 +29,7 @@ Image golden(const std::string& name, const Image& drawn) {
   return read_png(path);
 }
 
-PictureOptions small_picture() {
+PictureOptions layers_picture() {
   PictureOptions options;
   options.width = 320;
   options.height = 240;
@@ -65,17 +65,17 @@ Chart small_chart() {
 
 TEST_CASE("the view in space is as stored", "[golden]") {
   Snapshot snapshot = testing::layered_packing(1);
-  const Image drawn = draw_particles(snapshot, small_picture());
+  const Image drawn = draw_particles(snapshot, layers_picture());
   const Image stored = golden("layers", drawn);
   CHECK(difference(drawn, stored) < threshold);
 
   Snapshot recoloured = snapshot;
   for (std::size_t row = 150; row < 152; ++row) recoloured.type[row] = 1 - recoloured.type[row];
-  CHECK(difference(draw_particles(recoloured, small_picture()), stored) > threshold);
+  CHECK(difference(draw_particles(recoloured, layers_picture()), stored) > threshold);
 
   Snapshot moved = snapshot;
   moved.position.back().z() += 4 * moved.radius.back();
-  CHECK(difference(draw_particles(moved, small_picture()), stored) > threshold);
+  CHECK(difference(draw_particles(moved, layers_picture()), stored) > threshold);
 }
 
 TEST_CASE("the slice is as stored", "[golden]") {
