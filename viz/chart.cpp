@@ -5,8 +5,17 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <vtkChartXY.h>
+#include <vtkContext2D.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
+#include <vtkPlot.h>
+#include <vtkRect.h>
 
 #include "core/error.hpp"
+#include "viz/chart_axes.hpp"
+#include "viz/chart_plots.hpp"
+#include "viz/drawing_device.hpp"
 #include "viz/drawing_painter.hpp"
 #include "viz/font.hpp"
 #include "viz/plot_frame.hpp"
@@ -23,12 +32,7 @@ constexpr double key_length = 2.0;  ///< of the piece of line in the legend
 constexpr double key_gap = 0.6;
 constexpr double entry_gap = 2.0;
 constexpr double legend_line = 1.7;
-constexpr double line_weight = 0.13;
-constexpr double mark_radius = 0.35;
-constexpr double bar_outline = 0.05;
 
-constexpr double band_opacity = 0.2;
-constexpr double bar_opacity = 0.65;
 constexpr double headroom = 0.04;   ///< of the range, beyond the data
 constexpr double near_zero = 0.35;  ///< an axis whose lowest value is below this share of the highest begins at 0
 
@@ -44,10 +48,6 @@ struct Extent {
   }
   bool empty() const { return low > high; }
 };
-
-bool drawable(double x, double y, const ChartOptions& options) {
-  return std::isfinite(x) && std::isfinite(y) && (!options.log_x || x > 0) && (!options.log_y || y > 0);
-}
 
 void check(const Chart& chart) {
   for (const Series& s : chart.series) {
@@ -115,123 +115,51 @@ void override_range(AxisScale& scale, const std::optional<std::pair<double, doub
   scale.high = range->second;
 }
 
-Colour colour_of(const Series& series, std::size_t index) { return series.colour.value_or(line_colour(index)); }
+/// VTK's chart, and what makes marks of it.
+struct Canvas {
+  Drawing& drawing;
+  vtkNew<DrawingDevice> device;
+  vtkNew<vtkContext2D> painter;
+  vtkNew<vtkContextScene> scene;  // axes ask it for their scale
+  vtkNew<vtkChartXY> plots;
 
-Stroke line_stroke(const Series& series, std::size_t index, double font) {
-  constexpr double dash = 0.5;
-  Stroke stroke{colour_of(series, index), line_weight * font, {}};
-  const auto round = static_cast<double>(line_round(index));
-  if (round > 0) stroke.dashes = {dash * font * (1 + round), dash * font};
-  return stroke;
-}
+  explicit Canvas(Drawing& target) : drawing(target) {
+    device->record_into(drawing);
+    painter->Begin(device);
+    scene->AddItem(plots);
+  }
 
-struct Key {
-  std::string name;
-  std::optional<Fill> fill;
-  std::optional<Stroke> stroke;
+  void paint(const PlotFrame& frame) {
+    plots->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+    plots->SetSize(device->units(frame.box));
+    set_axes(*plots, frame);
+    plots->Paint(painter);
+    drawing.rectangle(frame.box, std::nullopt, Stroke{ink, axis_measure::line_weight * frame.font, {}});
+  }
 };
 
-std::vector<Key> keys(const Chart& chart, double font) {
-  std::vector<Key> result;
-  for (std::size_t i = 0; i < chart.bars.size(); ++i) {
-    result.push_back({chart.bars[i].name, Fill{category_colour(i), bar_opacity}, std::nullopt});
-  }
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    result.push_back({chart.series[i].name, std::nullopt, line_stroke(chart.series[i], i, font)});
-    if (!chart.series[i].spread.empty() && !chart.series[i].marked)
-      result.back().fill = Fill{colour_of(chart.series[i], i), band_opacity};
-  }
-  std::erase_if(result, [](const Key& key) { return key.name.empty(); });
-  if (result.size() == 1 && !result.front().fill) result.clear();  // the axis says it already
-  return result;
-}
-
-/// Entries side by side above the plot, in as many lines as they need; returns the y below them.
-double draw_keys(Drawing& drawing, const std::vector<Key>& entries, double left, double top, double right,
-                 double font) {
-  if (entries.empty()) return top;
+/// Entries side by side above the plot, in as many lines as they need, while VTK's legend is a column on top of the
+/// data; returns the y below them.
+double draw_legend(Canvas& canvas, std::vector<PlotGroup> entries, double left, double top, double right, double font) {
+  std::erase_if(entries, [](const PlotGroup& entry) { return entry.name.empty(); });
+  // Of one line the axis says it already.
+  if (entries.empty() || (entries.size() == 1 && entries.front().line_alone)) return top;
+  const double length = key_length * font, height = capital_height * font;
   double x = left;
   double y = top;
-  for (const Key& key : entries) {
-    const double width = (key_length + key_gap) * font + text_width(key.name, font);
+  for (const PlotGroup& entry : entries) {
+    const double width = (key_length + key_gap) * font + text_width(entry.name, font);
     if (x > left && x + width > right) {
       x = left;
       y += legend_line * font;
     }
-    const double middle = y + capital_height / 2 * font;
-    const double half = capital_height / 2 * font;
-    if (key.fill) drawing.rectangle({x, middle - half, x + key_length * font, middle + half}, key.fill, std::nullopt);
-    if (key.stroke) drawing.line({x, middle}, {x + key_length * font, middle}, *key.stroke);
-    drawing.text({x + (key_length + key_gap) * font, middle}, key.name, {.size = font, .along = Side::middle});
+    const vtkRectf key = canvas.device->units(Box{x, y, x + length, y + height});
+    for (vtkPlot* plot : entry.in_legend) plot->PaintLegend(canvas.painter, key, 0);
+    canvas.drawing.text({x + (key_length + key_gap) * font, y + height / 2}, entry.name,
+                        {.size = font, .along = Side::middle});
     x += width + entry_gap * font;
   }
   return y + legend_line * font;
-}
-
-/// The runs of a series without a gap, as row ranges [first, last).
-std::vector<std::pair<std::size_t, std::size_t>> runs(const Series& s, const ChartOptions& options) {
-  std::vector<std::pair<std::size_t, std::size_t>> result;
-  bool open = false;
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    const bool good = drawable(s.x[i], s.y[i], options);
-    if (good && !open) result.emplace_back(i, i);
-    if (good) result.back().second = i + 1;
-    open = good;
-  }
-  return result;
-}
-
-/// A band around a line, or a bar at each mark.
-void draw_spread(Drawing& drawing, const PlotFrame& frame, const Series& s, std::pair<std::size_t, std::size_t> run,
-                 const ChartOptions& options, Fill fill, const Stroke& stroke) {
-  std::vector<Point> sides[2];
-  for (std::size_t i = run.first; i < run.second; ++i) {
-    for (int k = 0; k < 2; ++k) {
-      const double shift = std::isfinite(s.spread[i]) ? (k == 0 ? -s.spread[i] : s.spread[i]) : 0;
-      const double y = s.y[i] + (options.profile ? 0 : shift);
-      const double x = s.x[i] + (options.profile ? shift : 0);
-      sides[k].push_back(
-          frame.place(options.log_x ? std::max(x, frame.x.low) : x, options.log_y ? std::max(y, frame.y.low) : y));
-    }
-  }
-  if (!s.marked) {
-    drawing.band(sides[0], sides[1], fill);
-    return;
-  }
-  for (std::size_t i = 0; i < sides[0].size(); ++i) drawing.line(sides[0][i], sides[1][i], stroke);
-}
-
-void draw_data(Drawing& drawing, const PlotFrame& frame, const Chart& chart) {
-  const double font = frame.font;
-  drawing.clip(frame.box);
-  for (std::size_t k = 0; k < chart.bars.size(); ++k) {
-    const Bars& b = chart.bars[k];
-    const double ground = frame.y.logarithmic ? frame.y.low : 0;
-    for (std::size_t i = 0; i < b.heights.size(); ++i) {
-      const Point a = frame.place(std::max(b.edges[i], frame.x.low), std::max(b.heights[i], ground));
-      const Point c = frame.place(b.edges[i + 1], ground);
-      drawing.rectangle({a.x, a.y, c.x, c.y}, Fill{category_colour(k), bar_opacity},
-                        Stroke{category_colour(k), bar_outline * font, {}});
-    }
-  }
-  for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const Series& s = chart.series[k];
-    const auto pieces = runs(s, chart.options);
-    for (const auto& run : pieces) {
-      if (s.spread.empty()) continue;
-      draw_spread(drawing, frame, s, run, chart.options, Fill{colour_of(s, k), band_opacity}, line_stroke(s, k, font));
-    }
-    for (const auto& [first, last] : pieces) {
-      std::vector<Point> points;
-      for (std::size_t i = first; i < last; ++i) points.push_back(frame.place(s.x[i], s.y[i]));
-      if (points.size() > 1) drawing.polyline(points, line_stroke(s, k, font));
-      if (points.size() > 1 && !s.marked) continue;
-      for (const Point& point : points) {
-        drawing.disc(point, (s.marked ? mark_radius : line_weight) * font, Fill{colour_of(s, k)}, std::nullopt);
-      }
-    }
-  }
-  drawing.end_clip();
 }
 
 }  // namespace
@@ -254,6 +182,9 @@ Drawing chart_drawing(const Chart& chart) {
 
   const double font = frame.font;
   Drawing drawing{options.width, options.height, {}};
+  Canvas canvas(drawing);
+  const auto groups = add_plots(*canvas.plots, chart, frame);
+
   const double edge = options.margin * font;
   double top = edge;
   const double bottom = options.height - edge - lower_room(font);
@@ -264,14 +195,12 @@ Drawing chart_drawing(const Chart& chart) {
                  {.size = title_size * font, .across = Side::middle, .along = Side::high, .bold = true});
     top += title_room * font;
   }
-  top = draw_keys(drawing, keys(chart, font), left, top, right, font);
+  top = draw_legend(canvas, groups, left, top, right, font);
   if (right <= left || bottom <= top) {
     throw InputError(fmt::format("a chart of {} x {} px has no room beside its labels", options.width, options.height));
   }
   frame.box = {left, top, right, bottom};
-  draw_grid(drawing, frame);
-  draw_data(drawing, frame, chart);
-  draw_axes(drawing, frame);
+  canvas.paint(frame);
   return drawing;
 }
 

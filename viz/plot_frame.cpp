@@ -9,12 +9,9 @@ namespace packstone::viz {
 
 namespace {
 
-// All as multiples of the font size.
-constexpr double tick_length = 0.35;
-constexpr double number_gap = 0.35;
-constexpr double label_gap = 0.9;
-constexpr double line_weight = 0.07;
-constexpr double grid_weight = 0.05;
+using namespace axis_measure;
+
+// As multiples of the font size.
 constexpr double room_per_x_tick = 4.5;
 constexpr double room_per_y_tick = 3.2;
 
@@ -24,9 +21,9 @@ Ticks ticks_of(const AxisScale& scale, double length, double room) {
                            : linear_ticks(scale.low, scale.high, count);
 }
 
-Ticks x_ticks(const PlotFrame& frame) { return ticks_of(frame.x, frame.box.width(), room_per_x_tick * frame.font); }
-
-Ticks y_ticks(const AxisScale& y, double height, double font) { return ticks_of(y, height, room_per_y_tick * font); }
+Ticks ticks_upwards(const AxisScale& y, double height, double font) {
+  return ticks_of(y, height, room_per_y_tick * font);
+}
 
 double widest(const std::vector<std::string>& labels, double font) {
   double width = 0;
@@ -46,22 +43,14 @@ Point PlotFrame::place(double x_value, double y_value) const {
 }
 
 double left_room(const AxisScale& y, double height, double font) {
-  return widest(y_ticks(y, height, font).labels, font) + (tick_length + number_gap + label_gap + 1) * font;
+  return widest(ticks_upwards(y, height, font).labels, font) + (tick_length + number_gap + label_gap + 1) * font;
 }
 
 double lower_room(double font) { return (tick_length + number_gap + capital_height + label_gap + 1) * font; }
 
-void draw_grid(Drawing& drawing, const PlotFrame& frame) {
-  const Stroke stroke{grid_line, grid_weight * frame.font, {}};
-  for (const double value : x_ticks(frame).values) {
-    const double x = frame.place(value, frame.y.low).x;
-    drawing.line({x, frame.box.top}, {x, frame.box.bottom}, stroke);
-  }
-  for (const double value : y_ticks(frame.y, frame.box.height(), frame.font).values) {
-    const double y = frame.place(frame.x.low, value).y;
-    drawing.line({frame.box.left, y}, {frame.box.right, y}, stroke);
-  }
-}
+Ticks x_ticks(const PlotFrame& frame) { return ticks_of(frame.x, frame.box.width(), room_per_x_tick * frame.font); }
+
+Ticks y_ticks(const PlotFrame& frame) { return ticks_upwards(frame.y, frame.box.height(), frame.font); }
 
 void draw_axes(Drawing& drawing, const PlotFrame& frame) {
   const double font = frame.font;
@@ -75,7 +64,7 @@ void draw_axes(Drawing& drawing, const PlotFrame& frame) {
     drawing.text({x, box.bottom + (tick_length + number_gap) * font}, across.labels[i],
                  {.size = font, .across = Side::middle, .along = Side::high});
   }
-  const Ticks up = y_ticks(frame.y, box.height(), font);
+  const Ticks up = y_ticks(frame);
   for (std::size_t i = 0; i < up.values.size(); ++i) {
     const double y = frame.place(frame.x.low, up.values[i]).y;
     drawing.line({box.left - tick_length * font, y}, {box.left, y}, stroke);

@@ -1,4 +1,4 @@
-// Axes around a plot: charts and slices share them.
+// Axes around a plot. Slices draw them here; charts have VTK draw them, to the same measures (chart_axes.hpp).
 #pragma once
 
 #include <string>
@@ -7,6 +7,14 @@
 #include "viz/quantity.hpp"
 
 namespace packstone::viz {
+
+/// Of axes, as multiples of the font size.
+namespace axis_measure {
+inline constexpr double tick_length = 0.35;
+inline constexpr double number_gap = 0.35;
+inline constexpr double label_gap = 0.9;
+inline constexpr double line_weight = 0.07;
+}  // namespace axis_measure
 
 /// The range of values an axis shows.
 struct AxisScale {
@@ -35,8 +43,9 @@ double left_room(const AxisScale& y, double height, double font);
 /// The same below a plot.
 double lower_room(double font);
 
-/// Light lines across the plot at the ticks; drawn before the data.
-void draw_grid(Drawing& drawing, const PlotFrame& frame);
+/// As many as the plot has room for.
+Ticks x_ticks(const PlotFrame& frame);
+Ticks y_ticks(const PlotFrame& frame);
 
 /// Frame, ticks, numbers and labels; drawn after the data.
 void draw_axes(Drawing& drawing, const PlotFrame& frame);
