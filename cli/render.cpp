@@ -99,7 +99,7 @@ void add_render(Program& program) {
   verb.add("--font-scale", call->font_scale, "Size of letters and lines, over the usual")
       .between(0.1, 10.0)
       .shows_default();
-  verb.add("--backend", call->backend, "Where OpenGL, for the walls, comes from: osmesa or egl")
+  verb.add("--backend", call->backend, "Where OpenGL, for the walls, comes from: osmesa, egl or vtk")
       .shows_default()
       .of_call();
   verb.add_flag("--quiet", call->quiet, "No progress").of_call();

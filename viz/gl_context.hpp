@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <string>
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkSmartPointer.h>
 
 namespace packstone::viz {
 
@@ -21,5 +23,8 @@ class GlContext {
 /// last taken.
 std::unique_ptr<GlContext> make_osmesa_context();
 std::unique_ptr<GlContext> make_egl_context();
+
+/// A window of VTK's own with its context, of the size [px]. Throws RunError where this VTK has none to be had.
+vtkSmartPointer<vtkOpenGLRenderWindow> make_vtk_window(int width, int height);
 
 }  // namespace packstone::viz

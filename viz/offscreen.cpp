@@ -1,7 +1,9 @@
 #include "viz/offscreen.hpp"
 
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
 #include <string>
-#include <utility>
 
 #include <GL/gl.h>
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "core/error.hpp"
@@ -27,63 +30,94 @@ void check_size(int width, int height) {
   }
 }
 
-constexpr std::pair<const char*, Backend> backends[] = {{"osmesa", Backend::osmesa}, {"egl", Backend::egl}};
+struct KnownBackend {
+  const char* name;
+  Backend backend;
+  const char* shown;  ///< in renderer_in_use
+};
+
+constexpr KnownBackend backends[] = {
+    {"osmesa", Backend::osmesa, "OSMesa"}, {"egl", Backend::egl, "EGL"}, {"vtk", Backend::vtk, "VTK"}};
 
 Backend wanted = Backend::osmesa;
 std::string in_use;
 
+/// What the current context says of itself.
+std::string described(Backend backend) {
+  const auto words = [](GLenum name) {
+    const GLubyte* const text = glGetString(name);
+    return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
+  };
+  const auto* known =
+      std::find_if(std::begin(backends), std::end(backends), [&](const auto& one) { return one.backend == backend; });
+  return fmt::format("{} {}, OpenGL {}", known->shown, words(GL_RENDERER), words(GL_VERSION));
+}
+
 }  // namespace
 
 Backend backend_named(const std::string& name) {
-  for (const auto& [known, backend] : backends) {
-    if (name == known) return backend;
+  for (const KnownBackend& known : backends) {
+    if (name == known.name) return known.backend;
   }
-  throw InputError(fmt::format("there is no way '{}' to draw without a screen; there are osmesa and egl", name));
+  throw InputError(fmt::format("there is no way '{}' to draw without a screen; there are osmesa, egl and vtk", name));
 }
 
 void use_backend(Backend backend) { wanted = backend; }
 
 std::string renderer_in_use() { return in_use; }
 
-/// The OpenGL context with VTK's window on it.
+/// VTK's window and the OpenGL context it draws with.
 struct OffscreenWindow::Context {
-  std::unique_ptr<GlContext> gl;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  std::unique_ptr<GlContext> gl;  ///< none where the window has its own
+  vtkSmartPointer<vtkOpenGLRenderWindow> window;
   std::string failure;  ///< VTK's own words; empty while all is well
 
-  Context() {
+  Context(int width, int height) {
+    if (wanted == Backend::vtk) {
+      window = make_vtk_window(width, height);
+      observe({vtkCommand::ErrorEvent});
+      set_up_buffers();
+    } else {
+      make_window_on_context(width, height);
+    }
+    in_use = described(wanted);
+  }
+
+  ~Context() {
+    if (gl) gl->make_current();
+    window->Finalize();
+  }
+
+  void make_window_on_context(int width, int height) {
     if (!glx_shims_in_place()) {
       throw RunError(
           "this program was linked without its off-screen renderer; link it to the CMake target packstone::viz");
     }
     gl = wanted == Backend::egl ? make_egl_context() : make_osmesa_context();
-    const auto words = [](GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); };
-    in_use = fmt::format("{} {}, OpenGL {}", wanted == Backend::egl ? "EGL" : "OSMesa", words(GL_RENDERER),
-                         words(GL_VERSION));
-  }
-
-  ~Context() {
-    gl->make_current();
-    window->Finalize();
-  }
-
-  void set_up_window() {
-    vtkNew<vtkCallbackCommand> answer;
-    answer->SetClientData(this);
-    answer->SetCallback(&Context::answer_event);
-    for (const auto event :
-         {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowIsDirectEvent,
-          vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::ErrorEvent}) {
-      window->AddObserver(event, answer);
-    }
-    window->SetOwnContext(0);
-    window->SetMultiSamples(0);
-    window->SetAlphaBitPlanes(1);
-    window->SetReadyForRendering(true);
-    window->SetFrameBlitModeToNoBlit();
+    const auto on_context = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+    window = on_context;
+    window->SetSize(width, height);
+    observe({vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowIsDirectEvent,
+             vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::ErrorEvent});
+    on_context->SetOwnContext(0);
+    on_context->SetReadyForRendering(true);
+    set_up_buffers();
     if (!window->InitializeFromCurrentContext() || !failure.empty()) {
       throw RunError("VTK cannot use the OpenGL context: " + failure);
     }
+  }
+
+  void observe(std::initializer_list<vtkCommand::EventIds> events) {
+    vtkNew<vtkCallbackCommand> answer;
+    answer->SetClientData(this);
+    answer->SetCallback(&Context::answer_event);
+    for (const auto event : events) window->AddObserver(event, answer);
+  }
+
+  void set_up_buffers() const {
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetFrameBlitModeToNoBlit();
   }
 
   static void answer_event(vtkObject* /*caller*/, unsigned long event, void* client, void* data) {
@@ -107,9 +141,7 @@ struct OffscreenWindow::Context {
 
 OffscreenWindow::OffscreenWindow(int width, int height) : width_(width), height_(height) {
   check_size(width, height);
-  context_ = std::make_unique<Context>();
-  context_->window->SetSize(width, height);
-  context_->set_up_window();
+  context_ = std::make_unique<Context>(width, height);
 }
 
 OffscreenWindow::~OffscreenWindow() = default;

@@ -13,8 +13,8 @@ namespace packstone::viz {
 /// The software renderer misbehaves above this many pixels a side.
 inline constexpr int max_side = 8192;
 
-/// Where the OpenGL context comes from; with the same Mesa both draw the same bytes.
-enum class Backend { osmesa, egl };
+/// Where the OpenGL context comes from, the last one from VTK's own window; with the same Mesa all draw the same bytes.
+enum class Backend { osmesa, egl, vtk };
 
 /// Throws InputError where there is none of the name.
 Backend backend_named(const std::string& name);

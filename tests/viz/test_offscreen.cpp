@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <optional>
 
 #include <catch2/catch.hpp>
 
@@ -9,6 +10,7 @@
 
 using namespace packstone;
 using namespace packstone::viz;
+using Catch::Matchers::EndsWith;
 
 TEST_CASE("a picture needs no display") {
   PictureOptions options;
@@ -31,7 +33,7 @@ TEST_CASE("a size the software renderer cannot draw is refused") {
   CHECK_THROWS_AS(ParticlePainter(options), InputError);
 }
 
-TEST_CASE("OSMesa and EGL draw the same bytes, and say which of them it was") {
+TEST_CASE("OSMesa, EGL and a window of VTK draw the same bytes, and say which of them it was") {
   PictureOptions options;
   options.width = 320;
   options.height = 240;
@@ -44,6 +46,18 @@ TEST_CASE("OSMesa and EGL draw the same bytes, and say which of them it was") {
   CHECK(renderer_in_use().rfind("EGL ", 0) == 0);
   use_backend(Backend::osmesa);
   CHECK((by_egl.rgb == by_osmesa.rgb));
+  use_backend(backend_named("vtk"));
+  std::optional<Image> by_vtk;
+  try {
+    by_vtk = draw_particles(snapshot, options);
+  } catch (const RunError& error) {  // as VTK was built
+    CHECK_THAT(error.what(), EndsWith("no off-screen window of its own; there are the backends osmesa and egl"));
+  }
+  if (by_vtk) {
+    CHECK(renderer_in_use().rfind("VTK ", 0) == 0);
+    CHECK((by_vtk->rgb == by_osmesa.rgb));
+  }
+  use_backend(Backend::osmesa);
   options.container = false;
   CHECK_FALSE((draw_particles(snapshot, options).rgb == by_osmesa.rgb));  // there were walls to compare
   CHECK_THROWS_AS(backend_named("glx"), InputError);
