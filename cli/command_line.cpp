@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -249,6 +250,8 @@ Verb Program::add_verb(const std::string& name, const std::string& description) 
 }
 
 int run_program(int argc, char** argv, void (*add_verbs)(Program&)) {
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file above the limit of ulimit -f is an error of its writer, not the end; of ffmpeg's too
   CLI::App app("Simulates, measures and draws packings of powders and grains.", "packstone");
   app.set_version_flag("--version", fmt::format("packstone {} (git {}, {})", version(), git_revision(), compiler()));
   app.require_subcommand(1);

@@ -2,14 +2,16 @@
 
 #include <filesystem>
 #include <memory>
-
-#include <fmt/format.h>
+#include <optional>
+#include <utility>
 
 #include "cli/charts.hpp"
 #include "cli/picture_verbs.hpp"
 #include "cli/pictures.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
+#include "core/output_folder.hpp"
 #include "core/text.hpp"
 
 namespace packstone::cli {
@@ -26,27 +28,36 @@ struct PlotOptions {
   std::string title;
 };
 
-/// The file itself for one chart; for several, a folder that gets NAME.png each.
-fs::path chart_file(const PlotOptions& options, const std::string& name) {
-  if (options.what.size() == 1 && options.output.has_extension()) return options.output;
-  if (options.output.has_extension()) {
-    throw InputError(options.output.string() + ": several charts go into a folder; name one with -o");
-  }
-  std::error_code error;
-  fs::create_directories(options.output, error);
-  if (error) throw InputError(options.output.string() + ": cannot be made: " + error.message());
-  return options.output / (name + ".png");
+struct Plot {
+  std::string name;
+  viz::Drawing drawing;
+  int supersampling = 1;
+  std::string title;
+};
+
+Plot plot_named(const std::string& name, const PlotOptions& options, const std::vector<RunReader>& runs) {
+  viz::Chart chart = make_chart(name, runs);
+  take_size(options.figure, chart.options);
+  if (!options.title.empty()) chart.options.title = options.title == "-" ? "" : options.title;
+  return {name, viz::chart_drawing(chart), chart.options.supersampling, chart.options.title};
 }
 
+/// One chart into the file; several, or one where no file is named, into a folder as NAME.png.
 void plot(const PlotOptions& options) {
+  const bool into_file = options.output.has_extension();
+  if (into_file && options.what.size() > 1) {
+    throw InputError(options.output.string() + ": several charts go into a folder; name one with -o");
+  }
   std::vector<RunReader> runs;
   for (const auto& path : options.paths) runs.emplace_back(path);
-  for (const std::string& name : options.what) {
-    viz::Chart chart = make_chart(name, runs);
-    take_size(options.figure, chart.options);
-    if (!options.title.empty()) chart.options.title = options.title == "-" ? "" : options.title;
-    save_figure(chart_file(options, name), viz::chart_drawing(chart), options.figure, chart.options.supersampling,
-                chart.options.title);
+  std::vector<Plot> plots;
+  for (const std::string& name : options.what) plots.push_back(plot_named(name, options, runs));
+  std::optional<OutputFolder> folder;
+  if (!into_file) folder.emplace(options.output);
+  for (Plot& plot : plots) {
+    const fs::path file = into_file ? options.output : options.output / (plot.name + ".png");
+    check_writable(file);
+    save_figure(file, std::move(plot.drawing), options.figure, plot.supersampling, plot.title);
   }
 }
 

@@ -17,6 +17,7 @@
 #include "cli/report_findings.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/run_folder.hpp"
 #include "core/scene.hpp"
 #include "viz/particle_scene.hpp"
@@ -271,6 +272,7 @@ void report(const ReportOptions& options) {
   }
   if (options.output.extension() != ".html")
     throw InputError(options.output.string() + ": a report is written as .html");
+  check_writable(options.output);
   PictureFolder folder;
   const auto one = [&] {
     return has_history(runs.front()) ? report_of_one(runs.front(), folder) : report_of_packing(runs.front(), folder);

@@ -16,6 +16,7 @@
 #include "cli/study/stability_report.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/output_folder.hpp"
 #include "core/text.hpp"
 
 namespace packstone::cli {
@@ -79,9 +80,7 @@ void stability(StabilityOptions options) {
   catch_interrupts();
   if (options.threads > 0) omp_set_num_threads(options.threads);
   omp_set_max_active_levels(1);
-  std::error_code error;
-  fs::create_directories(options.output, error);
-  if (error) throw InputError(options.output.string() + ": cannot be made: " + error.message());
+  const OutputFolder folder(options.output);
   for (const StabilityMap& map : maps) {
     const auto points = points_of(map, options.quiet);
     write_csv(options.output / (map.name + ".csv"), map, points);

@@ -17,7 +17,25 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
 void commit_file(const std::filesystem::path& target) {
   std::error_code error;
   std::filesystem::rename(temporary_name(target), target, error);
-  if (error) throw RunError(target.string() + ": cannot be put in place: " + error.message());
+  if (!error) return;
+  discard_temporary(target);
+  throw RunError(target.string() + ": cannot be put in place: " + error.message());
+}
+
+void discard_temporary(const std::filesystem::path& target) {
+  std::error_code ignored;
+  std::filesystem::remove(temporary_name(target), ignored);
+}
+
+void check_writable(const std::filesystem::path& target) {
+  std::error_code error;
+  if (target.empty()) throw InputError("the file to write has no name");
+  if (std::filesystem::is_directory(target, error)) throw InputError(target.string() + ": is a folder; name a file");
+  const std::filesystem::path probe = temporary_name(temporary_name(target));  // not what the file is written under
+  if (!std::ofstream(probe, std::ios::binary)) {
+    throw RunError(target.string() + ": cannot be written: " + std::strerror(errno));
+  }
+  std::filesystem::remove(probe, error);
 }
 
 void write_text_file(const std::filesystem::path& target, const std::string& text) {
@@ -26,8 +44,7 @@ void write_text_file(const std::filesystem::path& target, const std::string& tex
   file.close();
   if (!file) {
     const std::string cause = std::strerror(errno);
-    std::error_code ignored;
-    std::filesystem::remove(temporary_name(target), ignored);
+    discard_temporary(target);
     throw RunError(target.string() + ": cannot be written: " + cause);
   }
   commit_file(target);

@@ -45,6 +45,14 @@ std::vector<fs::path> snapshots_in(const fs::path& path) {
   return files;
 }
 
+/// Whether a time is among ascending ones, or beside them by no more than half of their mean interval.
+bool is_near(const std::vector<double>& times, double time) {
+  constexpr double rounding = 1e-9;  // of a time that was printed and read
+  const double interval = times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0;
+  const double margin = 0.5 * interval + rounding * std::abs(time);
+  return time >= times.front() - margin && time <= times.back() + margin;
+}
+
 /// Folder of a run to be: empty, absent, or an earlier run that may be replaced.
 void prepare_folder(const fs::path& path, bool overwrite) {
   std::error_code error;
@@ -94,6 +102,10 @@ std::size_t RunReader::index_at(const std::string& where) const {
   if (where == "first") return 0;
   if (where.starts_with("t=")) {
     const double time = parse_quantity(where.substr(2), unit::second);
+    if (!is_near(times_, time)) {
+      throw InputError(fmt::format("there is no snapshot near {}; {} has t={:g} to {:g} s", where, path_.string(),
+                                   times_.front(), times_.back()));
+    }
     const auto nearest = std::min_element(times_.begin(), times_.end(),
                                           [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
     return static_cast<std::size_t>(nearest - times_.begin());

@@ -58,6 +58,7 @@ class RunReader {
   const std::vector<double>& times() const { return times_; }
   Snapshot snapshot(std::size_t index, const ReadOptions& options = {}) const;
   /// Index from "last", "first", a number (negative counts from the end) or "t=SECONDS" (nearest).
+  /// Throws InputError where there is none, as for a time half an interval or more before the first or after the last.
   std::size_t index_at(const std::string& where) const;
   /// Empty for files.
   RunRecord record() const;

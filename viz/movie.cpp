@@ -1,10 +1,11 @@
 #include "viz/movie.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -23,6 +24,8 @@ namespace packstone::viz {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr useconds_t interval = 1000;  ///< to ask whether ffmpeg has ended [us]
 
 std::vector<std::string> ffmpeg_call(const fs::path& output, int width, int height, int frames_per_second) {
   std::vector<std::string> call = {"ffmpeg",
@@ -84,27 +87,35 @@ void check_request(const fs::path& path, int width, int height, int frames_per_s
 
 }  // namespace
 
-/// The running ffmpeg. It reads from a socket, as writing to one whose reader has died need not raise SIGPIPE.
+/// The running ffmpeg. It reads from a socket, as writing to one whose reader has died need not raise SIGPIPE. Its
+/// words go into a pipe, which a full disk does not hinder; what is more than the pipe holds is lost.
 class MovieWriter::Encoder {
  public:
-  explicit Encoder(const std::vector<std::string>& call) {
+  /// film: its name, for messages.
+  Encoder(const std::vector<std::string>& call, std::string film) : film_(std::move(film)) {
     std::array<int, 2> ends;
+    std::array<int, 2> words;
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail_to_start(errno);
-    log_ = std::tmpfile();
-    if (log_ == nullptr) fail_to_start(errno);
-    fcntl(fileno(log_), F_SETFD, FD_CLOEXEC);
+    if (pipe2(words.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+      const int error = errno;
+      ::close(ends[0]);
+      ::close(ends[1]);
+      fail_to_start(error);
+    }
+    input_ = ends[0];
+    words_ = words[0];
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(log_), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(log_), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, words[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, words[1], STDERR_FILENO);
     std::vector<char*> arguments;
     for (const std::string& word : call) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const int error = posix_spawnp(&child_, call.front().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
-    input_ = ends[0];
+    ::close(words[1]);
     if (error != 0) {
       child_ = 0;
       close_all();
@@ -128,20 +139,15 @@ class MovieWriter::Encoder {
     while (sent < bytes.size()) {
       const ssize_t count = send(input_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
       if (count < 0 && errno == EINTR) continue;
-      if (count < 0) {
-        wait_for_end();
-        throw RunError("ffmpeg stopped before the movie's end: " + reason());
-      }
+      if (count < 0) fail(wait_for_end());
       sent += static_cast<std::size_t>(count);
     }
   }
 
   /// A full disk that shows only when the last bytes are written does not change ffmpeg's exit code, but its words.
-  void finish() {
-    const int status = wait_for_end();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !words().empty()) {
-      throw RunError("ffmpeg failed: " + reason());
-    }
+  void finish(const std::function<void()>& while_waiting) {
+    const int status = wait_for_end(while_waiting);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !first_line_.empty()) fail(status);
   }
 
  private:
@@ -149,56 +155,58 @@ class MovieWriter::Encoder {
     throw RunError(fmt::format("cannot start the program ffmpeg, which writes the movie: {}", std::strerror(error)));
   }
 
-  int wait_for_end() {
+  int wait_for_end(const std::function<void()>& while_waiting = {}) {
     ::close(input_);
     input_ = -1;
     int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(child_, &status, WNOHANG) == 0) {
+      if (while_waiting) while_waiting();
+      usleep(interval);
     }
     child_ = 0;
+    first_line_ = read_first_line();
     return status;
   }
 
-  /// The first line ffmpeg printed, which names the cause; later ones name what came of it.
-  std::string words() {
-    std::rewind(log_);
-    std::array<char, 1024> line;
-    while (std::fgets(line.data(), line.size(), log_) != nullptr) {
-      std::string text = line.data();
-      while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-      if (!text.empty()) return text;
-    }
-    return "";
+  /// Of what ffmpeg printed: it names the cause, later ones what came of it.
+  std::string read_first_line() const {
+    std::array<char, 1024> words;
+    const ssize_t count = read(words_, words.data(), words.size());
+    const std::string text(words.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    const std::size_t first = text.find_first_not_of("\r\n");
+    return first == std::string::npos ? "" : text.substr(first, text.find_first_of("\r\n", first) - first);
   }
 
-  std::string reason() {
-    const std::string text = words();
-    return text.empty() ? "it gives no reason" : text;
+  [[noreturn]] void fail(int status) {
+    std::string reason = first_line_;
+    if (reason.empty()) reason = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "it gives no reason";
+    throw RunError(fmt::format("{}: cannot be written: ffmpeg: {}", film_, reason));
   }
 
   void close_all() {
     if (input_ >= 0) ::close(input_);
-    if (log_ != nullptr) std::fclose(log_);
-    input_ = -1;
-    log_ = nullptr;
+    if (words_ >= 0) ::close(words_);
+    input_ = words_ = -1;
   }
 
+  std::string film_;
   pid_t child_ = 0;
   int input_ = -1;
-  std::FILE* log_ = nullptr;
+  int words_ = -1;
+  std::string first_line_;
 };
 
 MovieWriter::MovieWriter(const fs::path& path, int width, int height, const MovieOptions& options)
     : path_(path), width_(width), height_(height) {
   check_request(path, width, height, options.frames_per_second);
-  encoder_ = std::make_unique<Encoder>(ffmpeg_call(temporary_name(path), width, height, options.frames_per_second));
+  encoder_ = std::make_unique<Encoder>(ffmpeg_call(temporary_name(path), width, height, options.frames_per_second),
+                                       path.string());
 }
 
 MovieWriter::~MovieWriter() {
   if (!encoder_) return;
   encoder_.reset();  // ends ffmpeg before its file goes
-  std::error_code ignored;
-  fs::remove(temporary_name(path_), ignored);
+  discard_temporary(path_);
 }
 
 void MovieWriter::add(const Image& frame) {
@@ -210,9 +218,9 @@ void MovieWriter::add(const Image& frame) {
   ++frames_;
 }
 
-void MovieWriter::finish() {
+void MovieWriter::finish(const std::function<void()>& while_waiting) {
   if (frames_ == 0) throw RunError(fmt::format("{}: the movie has no frames", path_.string()));
-  encoder_->finish();
+  encoder_->finish(while_waiting);
   commit_file(path_);
   encoder_.reset();
 }

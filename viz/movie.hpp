@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "viz/image.hpp"
@@ -27,7 +28,8 @@ class MovieWriter {
   void add(const Image& frame);
 
   /// Waits for ffmpeg and puts the file in place. Throws RunError when there was no frame or ffmpeg failed.
-  void finish();
+  /// while_waiting is called now and then, and ends it by what it throws.
+  void finish(const std::function<void()>& while_waiting = {});
 
  private:
   class Encoder;

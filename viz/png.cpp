@@ -113,8 +113,7 @@ struct PngWriter::File {
   ~File() {
     if (done) return;
     out.close();
-    std::error_code ignored;
-    std::filesystem::remove(temporary_name(path), ignored);
+    discard_temporary(path);
   }
 
   void write(std::string_view bytes) { out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); }

@@ -63,6 +63,10 @@ TEST_CASE("snapshots are found by place, number and time") {
   CHECK(run.index_at("-2") == 2);
   CHECK(run.index_at("t=0.12") == 1);
   CHECK(run.index_at("t=260 ms") == 3);
+  CHECK(run.index_at("t=0.34") == 3);
+  CHECK(run.index_at("t=-40 ms") == 0);
+  CHECK_THROWS_WITH(run.index_at("t=0.36"), Contains("no snapshot near t=0.36") && Contains("t=0 to 0.3 s"));
+  CHECK_THROWS_AS(run.index_at("t=-0.06"), InputError);
   CHECK_THROWS_WITH(run.index_at("4"), Contains("numbers 0 to 3"));
   CHECK_THROWS_WITH(run.index_at("lst"), Contains("names no snapshot"));
 }
