@@ -2,24 +2,32 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <string>
 
 #include "viz/offscreen.hpp"
 #include "viz/png.hpp"
+#include "viz/workers.hpp"
 
 namespace packstone::cli {
 
-/// Behind the pixels of a unit's result.
+/// Behind what was drawn, in a unit's result.
 inline constexpr std::size_t drawn_by_bytes = 160;
 
-inline void tell_drawn_by(std::uint8_t* end_of_pixels) {
+inline void tell_drawn_by(viz::UnitResult& result) {
   const std::string renderer = viz::renderer_in_use();
-  std::memcpy(end_of_pixels, renderer.data(), std::min(renderer.size(), drawn_by_bytes - 1));
+  const std::size_t drawn = result.size();
+  result.reserve(drawn + drawn_by_bytes);  // no more: pictures are large
+  result.insert(result.end(), renderer.begin(), renderer.begin() + std::min(renderer.size(), drawn_by_bytes - 1));
+  result.resize(drawn + drawn_by_bytes, 0);
 }
 
-inline std::string drawn_by(const std::uint8_t* end_of_pixels) { return reinterpret_cast<const char*>(end_of_pixels); }
+/// Takes it off again.
+inline std::string take_drawn_by(viz::UnitResult& result) {
+  const std::size_t drawn = result.size() - drawn_by_bytes;
+  const std::string renderer = reinterpret_cast<const char*>(result.data() + drawn);
+  result.resize(drawn);
+  return renderer;
+}
 
 /// The PNG's text chunks with it; as they are where nothing was drawn by OpenGL.
 inline viz::PngText with_renderer(viz::PngText text, const std::string& renderer) {

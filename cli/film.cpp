@@ -1,10 +1,7 @@
 #include "cli/film.hpp"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/output_folder.hpp"
 #include "viz/movie.hpp"
 #include "viz/pixel_window.hpp"
 
@@ -20,110 +18,131 @@ namespace packstone::cli {
 
 namespace {
 
-/// The frames as units of work, with their progress.
-class FrameWork {
+/// The frames' files, each whole or absent.
+class FrameFiles {
  public:
-  explicit FrameWork(const Film& film) : film_(film), progress_("frames", film.quiet) {}
-
-  std::size_t bytes() const { return viz::PixelWindow{0, 0, film_.width, film_.height}.pixels() * 3; }
-  viz::Image image(const std::uint8_t* bytes_of_it) const {
-    return {film_.width, film_.height, {bytes_of_it, bytes_of_it + bytes()}};
+  FrameFiles(const Film& film, const std::filesystem::path& folder) : film_(film), folder_(folder) {
+    check_writable(path(0));
   }
 
-  /// use(image, frame, result) makes the result of a frame in a worker, take(frame, result) has it here.
-  template <class Use, class Take>
-  viz::WorkInUnits in_units(std::size_t result_bytes, const Use& use, const Take& take) {
-    const auto prepare = [this, use, result_bytes] {
-      return [this, use, result_bytes, draw = film_.prepare()](std::size_t frame, std::uint8_t* result) {
-        use(draw(frame), frame, result);
-        tell_drawn_by(result + result_bytes);
-      };
-    };
-    const auto take_and_tell = [this, take, result_bytes](std::size_t frame, const std::uint8_t* result) {
-      take(frame, result);
-      done_ = frame + 1;
-      stop_when_interrupted();
-      progress_.update(static_cast<std::int64_t>(done_), static_cast<std::int64_t>(film_.frames),
-                       done_ == film_.frames ? drawn_by(result + result_bytes) : "");
-    };
-    return {.count = film_.frames,
-            .unit_name = "frame",
-            .subject = film_.subject,
-            .result_bytes = result_bytes + drawn_by_bytes,
-            .prepare = prepare,
-            .take = take_and_tell,
-            .while_waiting = [this] { stop_when_interrupted(); }};
+  void write(std::size_t frame, const Frame& drawn, const std::string& renderer) const {
+    if (film_.has_vector_files()) {
+      write_text_file(path(frame), drawn.vector_file);
+    } else {
+      viz::write_png(path(frame), drawn.pixels, with_renderer(film_.text(frame), renderer), film_.dots_per_inch);
+    }
+  }
+
+  /// What workers that were ended in the middle of a file left of it.
+  void discard_unfinished() const {
+    for (std::size_t frame = 0; frame < film_.frames; ++frame) discard_temporary(path(frame));
   }
 
  private:
+  std::filesystem::path path(std::size_t frame) const {
+    return folder_.path() / fmt::format("frame_{:06}.{}", film_.number(frame), film_.frame_format);
+  }
+
+  const Film& film_;
+  OutputFolder folder_;
+};
+
+/// The frames on their way into files and the film. Workers of this machine write the files of their frames themselves,
+/// which saves time; other ranks leave that to the first.
+class FilmWork {
+ public:
+  FilmWork(const Film& film, const viz::Ranks& ranks)
+      : film_(film), alone_(ranks.count() == 1), progress_("frames", film.quiet) {
+    if (!ranks.first()) return;
+    if (film.is_movie()) {
+      check_writable(film.output);
+      movie_.emplace(film.output, film.width, film.height, viz::MovieOptions{film.rate});
+    }
+    const auto& folder = film.is_movie() ? film.kept : film.output;
+    if (!folder.empty() || !film.is_movie()) files_.emplace(film, folder);
+  }
+
+  void run(viz::Ranks& ranks) {
+    try {
+      ranks.do_units(in_units(), film_.workers);
+    } catch (...) {
+      if (files_) files_->discard_unfinished();
+      throw;
+    }
+    if (movie_) movie_->finish([this] { stop_when_interrupted(); });
+  }
+
+ private:
+  bool hands_over_pixels() const { return film_.is_movie() || (!alone_ && film_.needs_pixels()); }
+  std::size_t pixel_bytes() const {
+    return hands_over_pixels() ? viz::PixelWindow{0, 0, film_.width, film_.height}.pixels() * 3 : 0;
+  }
+
+  viz::WorkInUnits in_units() {
+    return {.count = film_.frames,
+            .unit_name = "frame",
+            .subject = film_.subject,
+            .result_bytes = pixel_bytes() + drawn_by_bytes,
+            .prepare =
+                [this] {
+                  return
+                      [this, draw = film_.prepare()](std::size_t frame) { return done_by_worker(frame, draw(frame)); };
+                },
+            .take = [this](std::size_t frame, viz::UnitResult result) { take(frame, std::move(result)); },
+            .while_waiting = [this] { stop_when_interrupted(); }};
+  }
+
+  /// Pixels, then the vector file, as far as somebody else writes them; what drew them last.
+  viz::UnitResult done_by_worker(std::size_t frame, Frame drawn) const {
+    if (alone_ && files_) files_->write(frame, drawn, viz::renderer_in_use());
+    viz::UnitResult result;
+    if (hands_over_pixels()) result = std::move(drawn.pixels.rgb);
+    if (!alone_) result.insert(result.end(), drawn.vector_file.begin(), drawn.vector_file.end());
+    tell_drawn_by(result);
+    return result;
+  }
+
+  void take(std::size_t frame, viz::UnitResult result) {
+    const std::string renderer = take_drawn_by(result);
+    Frame drawn;
+    drawn.vector_file.assign(result.begin() + static_cast<std::ptrdiff_t>(pixel_bytes()), result.end());
+    result.resize(pixel_bytes());
+    drawn.pixels = {film_.width, film_.height, std::move(result)};
+    if (!alone_ && files_) files_->write(frame, drawn, renderer);
+    if (movie_) movie_->add(drawn.pixels);
+    done_ = frame + 1;
+    stop_when_interrupted();
+    progress_.update(static_cast<std::int64_t>(done_), static_cast<std::int64_t>(film_.frames),
+                     done_ == film_.frames ? renderer : "");
+  }
+
   void stop_when_interrupted() const {
     if (interrupted()) throw Interrupted(fmt::format("stopped after {} of {} frames", done_, film_.frames));
   }
 
   const Film& film_;
+  bool alone_;
   Progress progress_;
+  std::optional<viz::MovieWriter> movie_;
+  std::optional<FrameFiles> files_;
   std::size_t done_ = 0;
 };
 
-/// As the result of a frame.
-void hand_over(const viz::Image& image, std::size_t, std::uint8_t* result) {
-  std::copy(image.rgb.begin(), image.rgb.end(), result);
-}
-
-/// Workers of this machine write their frames themselves, which saves time; other ranks leave that to the first.
-void make_folder(const Film& film, viz::Ranks& ranks) {
-  FrameWork work(film);
-  if (ranks.first()) {
-    std::error_code error;
-    std::filesystem::create_directories(film.output, error);
-    if (error) throw InputError(film.output.string() + ": cannot be made: " + error.message());
-  }
-  const auto write = [&](std::size_t frame, const viz::Image& image, const std::string& renderer) {
-    viz::write_png(film.output / film.file_name(frame), image, with_renderer(film.text(frame), renderer));
-  };
-  if (ranks.count() == 1) {
-    const auto write_here = [&](const viz::Image& image, std::size_t frame, std::uint8_t*) {
-      write(frame, image, viz::renderer_in_use());
-    };
-    ranks.do_units(work.in_units(0, write_here, [](std::size_t, const std::uint8_t*) {}), film.workers);
-    return;
-  }
-  const auto write_result = [&](std::size_t frame, const std::uint8_t* result) {
-    write(frame, work.image(result), drawn_by(result + work.bytes()));
-  };
-  ranks.do_units(work.in_units(work.bytes(), hand_over, write_result), film.workers);
-}
-
-/// Before any frame is drawn; ffmpeg tells only at the end.
-void check_writable(const std::filesystem::path& film) {
-  const std::filesystem::path probe = temporary_name(temporary_name(film));  // not what a film is written under
-  if (!std::ofstream(probe, std::ios::binary)) {
-    throw RunError(film.string() + ": cannot be written: " + std::strerror(errno));
-  }
-  std::error_code ignored;
-  std::filesystem::remove(probe, ignored);
-}
-
-void make_movie(const Film& film, viz::Ranks& ranks) {
-  FrameWork work(film);
-  std::optional<viz::MovieWriter> movie;
-  if (ranks.first()) {
-    check_writable(film.output);
-    movie.emplace(film.output, film.width, film.height, viz::MovieOptions{film.rate});
-  }
-  const auto add = [&](std::size_t, const std::uint8_t* result) { movie->add(work.image(result)); };
-  ranks.do_units(work.in_units(work.bytes(), hand_over, add), film.workers);
-  if (movie) movie->finish();
-}
-
 }  // namespace
 
-void make_film(const Film& film, viz::Ranks& ranks) {
-  if (film.output.has_extension()) {
-    make_movie(film, ranks);
-  } else {
-    make_folder(film, ranks);
+void check_frame_options(const std::filesystem::path& output, const std::filesystem::path& kept,
+                         const std::string& frame_format) {
+  const std::string extension = output.extension().string();
+  if (!kept.empty() && extension != ".mp4" && extension != ".gif") {
+    throw InputError(
+        fmt::format("--keep-frames {}: {} is no .mp4 or .gif whose frames to keep", kept.string(), output.string()));
+  }
+  if (frame_format != Film{}.frame_format && kept.empty() && !extension.empty()) {
+    throw InputError(
+        fmt::format("--frame-format {}: is of frames in a folder, which -o or --keep-frames names", frame_format));
   }
 }
+
+void make_film(const Film& film, viz::Ranks& ranks) { FilmWork(film, ranks).run(ranks); }
 
 }  // namespace packstone::cli

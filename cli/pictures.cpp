@@ -69,11 +69,19 @@ std::optional<viz::PrintSize> print_size(const FigureCall& call) {
   return viz::PrintSize{call.width_mm, call.height_mm, call.font_pt, call.dpi};
 }
 
+std::optional<double> dots_per_inch(const FigureCall& call) {
+  const auto print = print_size(call);
+  return print ? std::optional(print->dots_per_inch) : std::nullopt;
+}
+
+viz::Drawing figure_drawing(viz::Drawing drawing, const FigureCall& call) {
+  if (const auto print = print_size(call)) viz::prepare_for_print(drawing, *print);
+  return viz::themed(std::move(drawing), ground_named(call.ground));
+}
+
 void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
                  const std::string& title, const viz::PngText& text) {
-  if (const auto print = print_size(call)) viz::prepare_for_print(drawing, *print);
-  drawing = viz::themed(std::move(drawing), ground_named(call.ground));
-  viz::save_drawing(path, drawing, supersampling, title, text);
+  viz::save_drawing(path, figure_drawing(std::move(drawing), call), supersampling, title, text);
 }
 
 std::pair<int, int> picture_size(const std::string& text) {

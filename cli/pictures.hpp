@@ -64,6 +64,12 @@ void take_size(const FigureCall& call, Options& options) {
   options.supersampling = std::clamp(fitting, 1, options.supersampling);
 }
 
+/// Of its PNG, where the size is on paper.
+std::optional<double> dots_per_inch(const FigureCall& call);
+
+/// The drawing in the size and on the ground asked for. Throws InputError.
+viz::Drawing figure_drawing(viz::Drawing drawing, const FigureCall& call);
+
 /// The drawing as a file, in the size asked for.
 void save_figure(const std::filesystem::path& path, viz::Drawing drawing, const FigureCall& call, int supersampling,
                  const std::string& title, const viz::PngText& text = {});

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/film.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/picture_verbs.hpp"
 #include "cli/render_call.hpp"
@@ -45,6 +46,7 @@ namespace {
 
 void render(const RenderCall& call, viz::Ranks& ranks) {
   const std::string extension = call.output.extension().string();
+  check_frame_options(call.output, call.kept_frames, Film{}.frame_format);
   catch_interrupts();
   viz::use_backend(viz::backend_named(call.backend));
   if (extension == ".png") {
@@ -79,6 +81,7 @@ void add_render(Program& program) {
            "Place in the middle of the picture: X,Y,Z with units or in m [the domain's middle]");
   verb.add("--at", call->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
   verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
+  verb.add("--keep-frames", call->kept_frames, keep_frames_description).of_call();
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
   add_picture_options(verb, call->picture);
   verb.add("--titles", call->titles, "Of the panels, by comma [the runs']").by_comma();

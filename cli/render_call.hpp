@@ -17,6 +17,7 @@ struct RenderCall {
   std::vector<std::string> titles;  ///< of panels
   int columns = 0;
   std::filesystem::path output;
+  std::filesystem::path kept_frames;
   PictureCall picture;
   OverlayCall overlay;
   std::string camera = "iso";

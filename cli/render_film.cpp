@@ -1,8 +1,6 @@
 // Films of runs, and their frames as pictures.
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "cli/film.hpp"
 #include "cli/render_source.hpp"
 
@@ -16,9 +14,10 @@ void render_film(const RenderCall& call, viz::Ranks& ranks) {
   const Provenance provenance(source.runs().front(), source.snapshot_of(0), call.recipe);
   const auto prepare = [&] {
     const auto painter = std::make_shared<viz::PanelPainter>(picture, source.titles(), call.columns);
-    return [&, painter](std::size_t frame) { return painter->paint(source.read(frame, picture).contents); };
+    return [&, painter](std::size_t frame) { return Frame{painter->paint(source.read(frame, picture).contents), {}}; };
   };
   make_film({.output = call.output,
+             .kept = call.kept_frames,
              .width = picture.width,
              .height = picture.height,
              .rate = call.rate,
@@ -27,8 +26,9 @@ void render_film(const RenderCall& call, viz::Ranks& ranks) {
              .frames = source.frames(),
              .subject = source.subject(),
              .prepare = prepare,
-             .file_name = [&](std::size_t frame) { return fmt::format("frame_{:06}.png", source.snapshot_of(frame)); },
-             .text = [&](std::size_t frame) { return provenance.at(source.snapshot_of(frame)); }},
+             .number = [&](std::size_t frame) { return source.snapshot_of(frame); },
+             .text = [&](std::size_t frame) { return provenance.at(source.snapshot_of(frame)); },
+             .dots_per_inch = {}},
             ranks);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "cli/progress.hpp"
 #include "cli/render_source.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "viz/png.hpp"
 
 namespace packstone::cli {
@@ -70,6 +72,7 @@ void render_picture(const RenderCall& call, viz::Ranks& ranks) {
   const std::size_t index = source.snapshot_of(0);
   std::optional<viz::PngWriter> file;
   if (ranks.first()) {
+    check_writable(call.output);
     file.emplace(call.output, picture.width, picture.height,
                  Provenance(source.runs().front(), index, call.recipe).at(index));
   }
@@ -80,34 +83,33 @@ void render_picture(const RenderCall& call, viz::Ranks& ranks) {
   };
   viz::Image band;
   std::string renderer;
-  const std::size_t pixel_bytes = tiling.largest_tile() * 3;
   const viz::WorkInUnits work{
       .count = tiling.tiles(),
       .unit_name = "tile",
       .subject = source.subject(),
-      .result_bytes = pixel_bytes + drawn_by_bytes,
+      .result_bytes = tiling.largest_tile() * 3 + drawn_by_bytes,
       .prepare =
           [&] {
             const auto painter = std::make_shared<viz::PanelPainter>(picture, source.titles(), call.columns);
             painter->show(source.read(0, picture).contents);
-            return [painter, pixel_bytes, &tiling](std::size_t tile, std::uint8_t* result) {
-              const viz::Image image = painter->part(tiling.tile(tile));
-              std::copy(image.rgb.begin(), image.rgb.end(), result);
-              tell_drawn_by(result + pixel_bytes);
+            return [painter, &tiling](std::size_t tile) {
+              viz::UnitResult result = painter->part(tiling.tile(tile)).rgb;
+              tell_drawn_by(result);
+              return result;
             };
           },
       .take =
-          [&](std::size_t tile, const std::uint8_t* result) {
+          [&](std::size_t tile, viz::UnitResult result) {
             stop_when_interrupted();
+            renderer = take_drawn_by(result);
             const viz::PixelWindow window = tiling.tile(tile);
             if (window.left == 0) {
               band = {picture.width, window.height, {}};
               band.rgb.resize(static_cast<std::size_t>(band.width) * static_cast<std::size_t>(band.height) * 3);
             }
-            viz::place(band, {window.width, window.height, {result, result + window.pixels() * 3}}, window.left, 0);
+            viz::place(band, {window.width, window.height, std::move(result)}, window.left, 0);
             if (window.right() == picture.width) file->add_rows(band.rgb.data(), band.height);
             done = tile + 1;
-            renderer = drawn_by(result + pixel_bytes);
             progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(tiling.tiles()),
                             done == tiling.tiles() ? renderer : "");
           },

@@ -14,8 +14,10 @@
 #include "cli/selection.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/run_folder.hpp"
 #include "core/units.hpp"
+#include "viz/save_drawing.hpp"
 #include "viz/slice_drawing.hpp"
 
 namespace packstone::cli {
@@ -25,6 +27,8 @@ namespace {
 struct SliceCall {
   std::vector<std::filesystem::path> paths;
   std::filesystem::path output;
+  std::filesystem::path kept_frames;
+  std::string frame_format = Film{}.frame_format;
   std::string plane;
   std::string sweep;
   std::string at = "last";
@@ -157,6 +161,8 @@ void prepare_film(viz::SliceOptions& options, SliceSource& source, const std::ve
       if (range) options.range = viz::united(options.range, *range);
     }
   }
+  const bool one_value = fix && options.range && !(options.range->first < options.range->second);
+  if (one_value) options.range.reset();  // every picture widens it in the same way
 }
 
 void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const std::vector<SliceFrame>& frames,
@@ -166,36 +172,41 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
   const std::vector<std::string> titles = panel_titles(call.titles, runs);
   SliceSource source(runs, titles, fields);
   prepare_film(options, source, frames);
-  const viz::Ground ground = ground_named(call.figure.ground);
   const Provenance provenance(runs.front(), frames.front().snapshots.front(), call.recipe);
-  const auto prepare = [&] {
+  Film film{.output = call.output,
+            .kept = call.kept_frames,
+            .frame_format = call.frame_format,
+            .width = options.width,
+            .height = options.height,
+            .rate = call.rate,
+            .quiet = call.quiet,
+            .workers = worker_count(call.workers),
+            .frames = frames.size(),
+            .subject = runs.front().snapshot_files().at(frames.back().snapshots.front()).filename().string(),
+            .prepare = {},
+            .number = [&](std::size_t k) { return call.sweep.empty() ? frames[k].snapshots.front() : k; },
+            .text = [&](std::size_t k) { return provenance.at(frames[k].snapshots.front()); },
+            .dots_per_inch = dots_per_inch(call.figure)};
+  film.prepare = [&] {
     const auto own = std::make_shared<SliceSource>(runs, titles, fields);
     return [&, own](std::size_t k) {
-      const viz::Drawing drawing = viz::slice_drawing(own->panels(frames[k]), options);
-      return viz::draw_image(viz::themed(drawing, ground), options.supersampling);
+      const viz::Drawing drawing = figure_drawing(viz::slice_drawing(own->panels(frames[k]), options), call.figure);
+      Frame frame;
+      if (film.needs_pixels()) frame.pixels = viz::draw_image(drawing, options.supersampling);
+      if (film.has_vector_files()) {
+        frame.vector_file = viz::vector_file("." + call.frame_format, drawing, options.title);
+      }
+      return frame;
     };
   };
-  make_film({.output = call.output,
-             .width = options.width,
-             .height = options.height,
-             .rate = call.rate,
-             .quiet = call.quiet,
-             .workers = worker_count(call.workers),
-             .frames = frames.size(),
-             .subject = runs.front().snapshot_files().at(frames.back().snapshots.front()).filename().string(),
-             .prepare = prepare,
-             .file_name =
-                 [&](std::size_t k) {
-                   return fmt::format("frame_{:06}.png", call.sweep.empty() ? frames[k].snapshots.front() : k);
-                 },
-             .text = [&](std::size_t k) { return provenance.at(frames[k].snapshots.front()); }},
-            ranks);
+  make_film(film, ranks);
 }
 
 void slice_figure(const SliceCall& call, const std::vector<RunReader>& runs, const SliceFrame& frame) {
   const viz::SliceOptions options = slice_options(call, runs);
   SliceSource source(runs, panel_titles(call.titles, runs), viz::colour_needs_fields(options.color));
   const std::size_t index = frame.snapshots.front();
+  check_writable(call.output);
   save_figure(call.output, viz::slice_drawing(source.panels(frame), options), call.figure, options.supersampling,
               options.title, Provenance(runs.front(), index, call.recipe).at(index));
 }
@@ -212,6 +223,7 @@ void slice(const SliceCall& call, viz::Ranks& ranks) {
                                              : "a slice is .png, .svg or .pdf; a film takes --sweep or --frames";
     throw InputError(fmt::format("{}: {}", call.output.string(), right));
   }
+  check_frame_options(call.output, call.kept_frames, call.frame_format);
   const std::vector<RunReader> runs(call.paths.begin(), call.paths.end());
   const std::vector<SliceFrame> frames = frames_of(call, runs);
   catch_interrupts();
@@ -238,6 +250,11 @@ void add_slice(Program& program) {
   verb.add("--sweep", call->sweep, "A film over planes, AXIS=FROM:TO:COUNT, such as z=0:0.5:100");
   verb.add("--at", call->at, "last, first, a number, or t=SECONDS").shows_default();
   verb.add("--frames", call->frames, "A film over time: FIRST:LAST:STRIDE, : for all");
+  verb.add("--keep-frames", call->kept_frames, keep_frames_description).of_call();
+  verb.add("--frame-format", call->frame_format, "Of frames in a folder: png, svg or pdf")
+      .one_of({"png", "svg", "pdf"})
+      .shows_default()
+      .of_call();
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();
   verb.add("--titles", call->titles, "Of the panels, by comma [the runs']").by_comma();
   verb.add("--columns", call->columns, "Panels side by side [up to three]").between(1, most_columns);

@@ -45,7 +45,7 @@ bool waits_for_me(int from, Tag tag, MPI_Status& status) {
 /// The other ranks, as the first sees them: worker k is rank k + 1.
 class OtherRanks : public OutsideWorkers {
  public:
-  OtherRanks(int ranks, std::size_t result_bytes) : count_(ranks - 1), result_bytes_(result_bytes) {}
+  explicit OtherRanks(int ranks) : count_(ranks - 1) {}
 
   std::size_t count() const override { return static_cast<std::size_t>(count_); }
 
@@ -59,25 +59,25 @@ class OtherRanks : public OutsideWorkers {
     const int rank = status.MPI_SOURCE;
     Report report{static_cast<std::size_t>(rank - 1), {}, {}};
     MPI_Recv(&report.answer, sizeof report.answer, MPI_BYTE, rank, answer_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    if (report.answer.unit == no_more || report.answer.outcome != Outcome::done) return report;
-    report.result.resize(result_bytes_);
-    in_messages(report.result.data(), result_bytes_, [&](std::uint8_t* part, int bytes) {
+    report.result.resize(report.answer.bytes);
+    in_messages(report.result.data(), report.answer.bytes, [&](std::uint8_t* part, int bytes) {
       MPI_Recv(part, bytes, MPI_BYTE, rank, result_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     });
     return report;
   }
 
-  /// Lets all of them go, once they are through with what they have.
-  void dismiss() {
+  /// Lets all of them go, once they are through with what they have. while_waiting ends it by what it throws: one that
+  /// has died does not answer.
+  void dismiss(const std::function<void()>& while_waiting) {
     for (std::size_t k = 0; k < count(); ++k) start(k, no_more);
     for (int gone = 0; gone < count_; usleep(interval)) {
+      if (while_waiting) while_waiting();
       while (const auto last = report()) gone += last->answer.unit == no_more ? 1 : 0;
     }
   }
 
  private:
   int count_;
-  std::size_t result_bytes_;
 };
 
 std::size_t next_order() {
@@ -95,15 +95,14 @@ void send_answer(const Answer& answer) {
 /// What a rank but the first does of the work.
 void work_for_first(const WorkInUnits& work) {
   DoUnit do_unit;
-  std::vector<std::uint8_t> result(work.result_bytes);
   for (std::size_t unit = next_order(); unit != no_more; unit = next_order()) {
-    const Answer answer = answer_of(unit, [&] {
+    UnitResult result;
+    Answer answer = answer_of(unit, [&] {
       if (!do_unit) do_unit = work.prepare();
-      std::fill(result.begin(), result.end(), std::uint8_t{0});
-      do_unit(unit, result.data());
+      result = do_unit(unit);
     });
+    answer.bytes = result.size();
     send_answer(answer);
-    if (answer.outcome != Outcome::done) continue;
     in_messages(result.data(), result.size(), [](const std::uint8_t* part, int bytes) {
       MPI_Send(part, bytes, MPI_BYTE, first_rank, result_tag, MPI_COMM_WORLD);
     });
@@ -181,17 +180,21 @@ void Ranks::do_units(const WorkInUnits& work, int workers) {
   omp_set_num_threads(1);
   setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws in this thread
   if (!first()) return work_for_first(work);
-  OtherRanks others(link_->ranks, work.result_bytes);
+  OtherRanks others(link_->ranks);
   try {
-    viz::do_units(work, 1, &others);
+    try {
+      viz::do_units(work, 1, &others);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (...) {
+      others.dismiss(work.while_waiting);
+      throw;
+    }
+    others.dismiss(work.while_waiting);
   } catch (const Interrupted&) {
     link_->over = link_->apart = true;  // where a rank has died it would answer no more
     throw;
-  } catch (...) {
-    others.dismiss();
-    throw;
   }
-  others.dismiss();
 }
 
 void with_ranks(const std::function<void(Ranks&)>& work) {

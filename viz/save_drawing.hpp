@@ -9,6 +9,9 @@
 
 namespace packstone::viz {
 
+/// The bytes of an .svg or .pdf file. Throws InputError for any other ending.
+std::string vector_file(const std::string& ending, const Drawing& drawing, const std::string& title);
+
 /// Writes .png (with the text chunks), .svg or .pdf (with the title), whole or not at all.
 /// Throws InputError for any other ending, RunError when the disk refuses.
 void save_drawing(const std::filesystem::path& path, const Drawing& drawing, int supersampling,

@@ -14,6 +14,7 @@ struct Answer {
   static constexpr std::size_t longest_words = 2000;
 
   std::size_t unit = 0;
+  std::size_t bytes = 0;  ///< of its result, which follows
   Outcome outcome = Outcome::done;
   char words[longest_words + 1] = {};
 

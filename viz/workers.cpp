@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -74,24 +75,29 @@ class SharedMemory {
   std::uint8_t* memory_;
 };
 
-/// A worker's life, until its parent's end of the socket closes.
-void work_on(const WorkInUnits& work, int socket, std::uint8_t* result) {
+/// A worker's life, until its parent's end of the socket closes. Results go through the shared memory where they fit.
+void work_on(const WorkInUnits& work, int socket, std::uint8_t* shared) {
   DoUnit do_unit;
   std::size_t unit = 0;
   while (receive_all(socket, &unit, sizeof unit)) {
-    std::memset(result, 0, work.result_bytes);
-    const Answer answer = answer_of(unit, [&] {
+    UnitResult result;
+    Answer answer = answer_of(unit, [&] {
       if (!do_unit) do_unit = work.prepare();
-      do_unit(unit, result);
+      result = do_unit(unit);
     });
+    answer.bytes = result.size();
+    const bool fits = result.size() <= work.result_bytes;
+    if (fits) std::copy(result.begin(), result.end(), shared);
     if (!send_all(socket, &answer, sizeof answer)) return;
+    if (!fits && !send_all(socket, result.data(), result.size())) return;
   }
 }
 
 /// A process that does units.
 class Worker {
  public:
-  Worker(const WorkInUnits& work, const std::vector<std::unique_ptr<Worker>>& others) : result_(work.result_bytes) {
+  Worker(const WorkInUnits& work, const std::vector<std::unique_ptr<Worker>>& others)
+      : shared_bytes_(work.result_bytes), shared_(work.result_bytes) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start();
     std::fflush(nullptr);  // or both processes write what is still there
@@ -112,7 +118,7 @@ class Worker {
       std::signal(SIGINT, SIG_IGN);  // the parent ends its workers
       omp_set_num_threads(1);
       setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws in this thread
-      work_on(work, ends[1], result_.data());
+      work_on(work, ends[1], shared_.data());
       _exit(EXIT_SUCCESS);
     }
     close(ends[1]);
@@ -127,7 +133,6 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   int socket() const { return socket_; }
-  const std::uint8_t* result() const { return result_.data(); }
   bool idle() const { return !busy_; }
   std::size_t unit() const { return unit_; }
 
@@ -137,9 +142,15 @@ class Worker {
     busy_ = true;
     return send_all(socket_, &unit, sizeof unit);
   }
-  bool finish(Answer& answer) {
+  bool finish(Answer& answer, UnitResult& result) {
     busy_ = false;
-    return receive_all(socket_, &answer, sizeof answer);
+    if (!receive_all(socket_, &answer, sizeof answer)) return false;
+    if (answer.bytes <= shared_bytes_) {
+      result.assign(shared_.data(), shared_.data() + answer.bytes);
+      return true;
+    }
+    result.resize(answer.bytes);
+    return receive_all(socket_, result.data(), result.size());
   }
 
  private:
@@ -147,7 +158,8 @@ class Worker {
     throw RunError(fmt::format("a worker process cannot be started: {}", std::strerror(errno)));
   }
 
-  SharedMemory result_;
+  std::size_t shared_bytes_;
+  SharedMemory shared_;
   pid_t process_ = 0;
   int socket_ = -1;
   bool busy_ = false;
@@ -218,9 +230,10 @@ class Foreman {
 
   void collect(std::unique_ptr<Worker>& worker) {
     Answer answer;
-    if (!worker->finish(answer)) return bury(worker);
+    UnitResult result;
+    if (!worker->finish(answer, result)) return bury(worker);
     answer.rethrow();
-    results_[answer.unit].assign(worker->result(), worker->result() + work_.result_bytes);
+    results_[answer.unit] = std::move(result);
   }
 
   /// Its unit is the next to be done.
@@ -236,7 +249,7 @@ class Foreman {
 
   void take_in_order() {
     for (auto next = results_.find(taken_); next != results_.end(); next = results_.find(taken_)) {
-      work_.take(taken_, next->second.data());
+      work_.take(taken_, std::move(next->second));
       results_.erase(next);
       ++taken_;
     }
@@ -247,19 +260,14 @@ class Foreman {
   OutsideWorkers* outside_;
   std::vector<bool> idle_outside_;
   std::deque<std::size_t> waiting_;
-  std::map<std::size_t, std::vector<std::uint8_t>> results_;
+  std::map<std::size_t, UnitResult> results_;
   std::size_t taken_ = 0;
   std::vector<int> deaths_;
 };
 
 void do_alone(const WorkInUnits& work) {
   const DoUnit do_unit = work.prepare();
-  std::vector<std::uint8_t> result(work.result_bytes);
-  for (std::size_t unit = 0; unit < work.count; ++unit) {
-    std::fill(result.begin(), result.end(), std::uint8_t{0});
-    do_unit(unit, result.data());
-    work.take(unit, result.data());
-  }
+  for (std::size_t unit = 0; unit < work.count; ++unit) work.take(unit, do_unit(unit));
 }
 
 }  // namespace

@@ -13,19 +13,20 @@
 
 namespace packstone::viz {
 
-/// Does one unit; its result is of WorkInUnits::result_bytes, zero before.
-using DoUnit = std::function<void(std::size_t unit, std::uint8_t* result)>;
+using UnitResult = std::vector<std::uint8_t>;
+
+using DoUnit = std::function<UnitResult(std::size_t unit)>;
 
 /// Units 0 ... count - 1, each of which any worker can do, more than once if need be.
 struct WorkInUnits {
   std::size_t count = 0;
   std::string unit_name = "frame";  ///< for messages: "frame 3"
   std::string subject{};            ///< what the units are parts of; the same in all processes that share them
-  std::size_t result_bytes = 0;
+  std::size_t result_bytes = 0;     ///< expected of a result; a larger one takes a slower way
   /// Called once in every worker.
   std::function<DoUnit()> prepare;
   /// Called in this process in the order of the units.
-  std::function<void(std::size_t unit, const std::uint8_t* result)> take;
+  std::function<void(std::size_t unit, UnitResult result)> take;
   /// Called in this process now and then while it waits; ends the work by what it throws.
   std::function<void()> while_waiting{};
 };
@@ -41,7 +42,7 @@ class OutsideWorkers {
   struct Report {
     std::size_t worker;
     Answer answer;
-    std::vector<std::uint8_t> result;  ///< (result_bytes)
+    UnitResult result;
   };
   /// The next answer that is there; nothing while there is none. Does not wait.
   virtual std::optional<Report> report() = 0;

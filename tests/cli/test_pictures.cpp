@@ -7,33 +7,28 @@
 
 #include "command.hpp"
 #include "core/files.hpp"
-#include "tests/sample_scene.hpp"
-#include "tests/temporary_folder.hpp"
+#include "small_run.hpp"
 
 using namespace packstone;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using testing::packstone_command;
+using testing::SmallRun;
 using testing::TemporaryFolder;
 
 namespace {
-
-struct Run {
-  TemporaryFolder folder;
-  std::string path;
-
-  Run() {
-    std::ofstream(folder / "scene.toml") << testing::small_scene;
-    path = (folder / "run").string();
-    REQUIRE(packstone_command("run " + (folder / "scene.toml").string() + " --quiet -o " + path).exit_code == 0);
-  }
-  std::string out(const std::string& name) const { return " -o " + (folder / name).string(); }
-};
 
 /// From the pixels on, without the texts that say how the picture was made.
 std::string pixels_of(const std::filesystem::path& path) {
   const std::string file = read_text_file(path);
   return file.substr(file.find("IDAT"));
+}
+
+/// Without the text behind them that says what drew the walls.
+std::string pixels_until_renderer(const std::filesystem::path& path) {
+  const std::string pixels = pixels_of(path);
+  const std::size_t length_of_chunk = 4;
+  return pixels.substr(0, pixels.find("tEXtRenderer") - length_of_chunk);
 }
 
 /// The text chunk that a picture's making is in.
@@ -54,7 +49,7 @@ bool is_png(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("pictures, a film, a slice, charts and a report come out without a display") {
-  const Run run;
+  const SmallRun run;
   const std::string small = " --size 320x240 --supersampling 1";
   const auto done = [&](const std::string& call, const std::string& environment) {
     const auto result = packstone_command(call, environment);
@@ -94,7 +89,7 @@ TEST_CASE("pictures, a film, a slice, charts and a report come out without a dis
 }
 
 TEST_CASE("tiles, parts and workers change no byte of a picture or a film") {
-  const Run run;
+  const SmallRun run;
   const auto made = [&](const std::string& name, const std::string& options) {
     const auto result = packstone_command("render " + run.path + run.out(name) + " --size 322x242 --quiet" + options);
     INFO(options << "\n" << result.output);
@@ -109,7 +104,7 @@ TEST_CASE("tiles, parts and workers change no byte of a picture or a film") {
 }
 
 TEST_CASE("a picture names what drew its walls, and a backend that is not there gives one line") {
-  const Run run;
+  const SmallRun run;
   const std::string call = "render " + run.path + run.out("x.png") + " --size 200x150 --backend ";
   REQUIRE(packstone_command(call + "egl --workers 1").exit_code == 0);
   const std::string bytes = read_text_file(run.folder / "x.png");
@@ -118,7 +113,18 @@ TEST_CASE("a picture names what drew its walls, and a backend that is not there 
   CHECK((read_text_file(run.folder / "x.png") == bytes));
   REQUIRE(packstone_command(call + "osmesa").exit_code == 0);
   CHECK_THAT(read_text_file(run.folder / "x.png"), Contains(std::string("Renderer\0OSMesa ", 16)));
+  const std::string by_osmesa = pixels_until_renderer(run.folder / "x.png");
   std::filesystem::remove(run.folder / "x.png");
+  const auto by_vtk = packstone_command(call + "vtk", "DISPLAY=nowhere:7");
+  INFO(by_vtk.output);
+  if (by_vtk.exit_code == 0) {
+    CHECK((pixels_until_renderer(run.folder / "x.png") == by_osmesa));
+    std::filesystem::remove(run.folder / "x.png");
+  } else {  // VTK was built without such a window
+    CHECK(by_vtk.exit_code == 1);
+    CHECK(std::count(by_vtk.output.begin(), by_vtk.output.end(), '\n') == 1);
+    CHECK_THAT(by_vtk.output, Contains("no off-screen window of its own; there are the backends osmesa and egl"));
+  }
   for (const char* workers : {" --workers 1", " --workers 2 --tiles 2x1"}) {
     const auto result = packstone_command(call + "egl" + workers, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere");
     INFO(result.output);
@@ -154,7 +160,7 @@ TEST_CASE("the colours of a film span all frames, also where the first is empty"
 }
 
 TEST_CASE("what is drawn among the particles is the same from any workers, tiles and parts") {
-  const Run run;
+  const SmallRun run;
   const std::string call = "render " + run.path + " --size 320x240 --quiet --occlusion 0.5";
   const auto same = [&](const std::string& options, const std::string& a, const std::string& b) {
     for (const auto& [file, shared] : {std::pair<std::string, std::string>{"a", a}, {"b", b}}) {
@@ -179,7 +185,7 @@ TEST_CASE("what is drawn among the particles is the same from any workers, tiles
 }
 
 TEST_CASE("a picture's recipe is a view file that makes it again") {
-  const Run run;
+  const SmallRun run;
   const auto done = [](const std::string& call) {
     const auto result = packstone_command(call);
     INFO(call << "\n" << result.output);
@@ -207,7 +213,7 @@ TEST_CASE("a picture's recipe is a view file that makes it again") {
 }
 
 TEST_CASE("a wrong view file is refused with the place in it") {
-  const Run run;
+  const SmallRun run;
   const std::string file = (run.folder / "view.toml").string();
   const auto refusal = [&](const std::string& text) {
     std::ofstream(file) << text;
@@ -229,7 +235,7 @@ TEST_CASE("a wrong view file is refused with the place in it") {
 }
 
 TEST_CASE("films of slices over planes and over time are the same from any workers, with one scale") {
-  const Run run;
+  const SmallRun run;
   const auto done = [](const std::string& call) {
     const auto result = packstone_command(call);
     INFO(call << "\n" << result.output);
@@ -262,7 +268,7 @@ TEST_CASE("films of slices over planes and over time are the same from any worke
 }
 
 TEST_CASE("a worker that is killed in the middle of a film leaves no trace in it") {
-  const Run run;
+  const SmallRun run;
   const std::string call = "render " + run.path + " --size 800x600 --supersampling 4 --quiet";
   REQUIRE(packstone_command(call + run.out("whole") + " --workers 1").exit_code == 0);
   // Once there are workers, one of them is killed a little later.
@@ -284,7 +290,7 @@ TEST_CASE("a worker that is killed in the middle of a film leaves no trace in it
 }
 
 TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
-  const Run run;
+  const SmallRun run;
   for (const std::string& call :
        {"render " + run.path + run.out("x.png") + " --color sped",
         "render " + run.path + run.out("x.jpg"),

@@ -9,27 +9,13 @@
 
 #include "command.hpp"
 #include "core/files.hpp"
-#include "tests/sample_scene.hpp"
-#include "tests/temporary_folder.hpp"
+#include "small_run.hpp"
 
 using namespace packstone;
 using Catch::Matchers::Contains;
-using testing::TemporaryFolder;
+using testing::SmallRun;
 
 namespace {
-
-struct SmallRun {
-  TemporaryFolder folder;
-  std::string path;
-
-  SmallRun() {
-    std::ofstream(folder / "scene.toml") << testing::small_scene;
-    path = (folder / "run").string();
-    const auto made =
-        testing::packstone_command("run " + (folder / "scene.toml").string() + " --quiet --threads 1 -o " + path);
-    REQUIRE(made.exit_code == 0);
-  }
-};
 
 /// Whatever the number of processors, and as whatever user.
 const std::string launch =
@@ -86,6 +72,30 @@ TEST_CASE("ranks change no byte of a picture, a film or frames, and the first al
   for (const auto& name : names) {
     CHECK((read_text_file(run.folder / "ranks" / name) == read_text_file(run.folder / "one" / name)));
   }
+}
+
+TEST_CASE("ranks make the same vectors, and the same frames beside a film") {
+  const SmallRun run;
+  const std::string command = std::string(PACKSTONE_COMMAND) + " slice " + run.path +
+                              " --size 320x240 --quiet --sweep z=10mm:0.2:5 --color speed -o ";
+  const auto both = [&](const std::string& one, const std::string& ranks) {
+    for (const auto& result : {testing::shell(command + one + " --workers 1"), by_three(command + ranks)}) {
+      INFO(command + one << "\n" << result.output);
+      REQUIRE(result.exit_code == 0);
+    }
+  };
+  const auto path = [&](const char* name) { return (run.folder / name).string(); };
+  both(path("one") + " --frame-format svg", path("ranks") + " --frame-format svg");
+  both(path("one.gif") + " --frame-format pdf --keep-frames " + path("one"),
+       path("ranks.gif") + " --frame-format pdf --keep-frames " + path("ranks"));
+  both(path("one.mp4") + " --keep-frames " + path("one"), path("ranks.mp4") + " --keep-frames " + path("ranks"));
+  const auto names = files_in(run.folder / "one");
+  CHECK(names.size() == 15);
+  CHECK(files_in(run.folder / "ranks") == names);
+  for (const auto& name : names) {
+    CHECK((read_text_file(run.folder / "ranks" / name) == read_text_file(run.folder / "one" / name)));
+  }
+  CHECK((read_text_file(path("one.gif")) == read_text_file(path("ranks.gif"))));
 }
 
 TEST_CASE("an error of any rank ends all of them with one line") {

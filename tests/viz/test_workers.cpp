@@ -23,11 +23,16 @@ struct Result {
   pid_t process;
 };
 
-void put(const Result& result, std::uint8_t* bytes) { std::memcpy(bytes, &result, sizeof result); }
+UnitResult bytes_of(const Result& result) {
+  UnitResult bytes(sizeof result);
+  std::memcpy(bytes.data(), &result, sizeof result);
+  return bytes;
+}
 
-Result got(const std::uint8_t* bytes) {
+Result got(const UnitResult& bytes) {
   Result result{};
-  std::memcpy(&result, bytes, sizeof result);
+  REQUIRE(bytes.size() == sizeof result);
+  std::memcpy(&result, bytes.data(), sizeof result);
   return result;
 }
 
@@ -35,12 +40,12 @@ Result got(const std::uint8_t* bytes) {
 WorkInUnits squares(std::size_t count, const std::function<void(std::size_t)>& before, std::vector<Result>& taken) {
   WorkInUnits work{.count = count, .result_bytes = sizeof(Result), .prepare = {}, .take = {}};
   work.prepare = [before] {
-    return [before](std::size_t unit, std::uint8_t* bytes) {
+    return [before](std::size_t unit) {
       before(unit);
-      put({unit * unit, getpid()}, bytes);
+      return bytes_of({unit * unit, getpid()});
     };
   };
-  work.take = [&taken](std::size_t unit, const std::uint8_t* bytes) {
+  work.take = [&taken](std::size_t unit, const UnitResult& bytes) {
     CHECK(unit == taken.size());
     taken.push_back(got(bytes));
   };
@@ -73,6 +78,21 @@ TEST_CASE("units are taken in order, by as many processes as asked for") {
   std::vector<Result> taken;
   do_units(squares(0, nothing, taken), 3);
   CHECK(taken.empty());
+}
+
+TEST_CASE("results of any size come as they are") {
+  const auto result_of = [](std::size_t unit) {
+    return UnitResult(unit % 3 == 0 ? 0 : unit * 100'000, static_cast<std::uint8_t>(unit));
+  };
+  for (const int workers : {1, 3}) {
+    std::size_t taken = 0;
+    do_units({.count = 12,
+              .result_bytes = 300'000,
+              .prepare = [&] { return result_of; },
+              .take = [&](std::size_t unit, const UnitResult& result) { taken += result == result_of(unit) ? 1 : 0; }},
+             workers);
+    CHECK(taken == 12);
+  }
 }
 
 TEST_CASE("a worker that is killed is replaced and its unit done again") {
@@ -112,7 +132,7 @@ TEST_CASE("what a worker or the taker throws comes out, of the same kind") {
     CHECK_THROWS_WITH(do_units(squares(6, failure, taken), workers), "disk full");
     taken.clear();
     WorkInUnits work = squares(6, nothing, taken);
-    work.take = [](std::size_t unit, const std::uint8_t*) {
+    work.take = [](std::size_t unit, const UnitResult&) {
       if (unit == 1) throw Interrupted("stop");
     };
     CHECK_THROWS_AS(do_units(work, workers), Interrupted);
