@@ -14,7 +14,7 @@ void render_film(const RenderCall& call, viz::Ranks& ranks) {
   const Provenance provenance(source.runs().front(), source.snapshot_of(0), call.recipe);
   const auto prepare = [&] {
     const auto painter = std::make_shared<viz::PanelPainter>(picture, source.titles(), call.columns);
-    return [&, painter](std::size_t frame) { return Frame{painter->paint(source.read(frame, picture).contents), {}}; };
+    return [&, painter](std::size_t frame) { return Frame{painter->paint(source.read(frame).contents), {}}; };
   };
   make_film({.output = call.output,
              .kept = call.kept_frames,

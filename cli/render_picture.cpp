@@ -91,8 +91,9 @@ void render_picture(const RenderCall& call, viz::Ranks& ranks) {
       .prepare =
           [&] {
             const auto painter = std::make_shared<viz::PanelPainter>(picture, source.titles(), call.columns);
-            painter->show(source.read(0, picture).contents);
-            return [painter, &tiling](std::size_t tile) {
+            const auto shown = std::make_shared<const RenderSource::Shown>(source.read(0));
+            painter->show(shown->contents);
+            return [painter, shown, &tiling](std::size_t tile) {
               viz::UnitResult result = painter->part(tiling.tile(tile)).rgb;
               tell_drawn_by(result);
               return result;

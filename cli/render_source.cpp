@@ -26,22 +26,10 @@ std::string RenderSource::subject() const {
   return runs_.front().snapshot_files().at(snapshots_.front().back()).filename().string();
 }
 
-ReadOptions RenderSource::read_for(std::size_t run, const viz::PictureOptions& picture) const {
+OpenSnapshot RenderSource::open(std::size_t run, std::size_t index) const {
   const OverlayMaker& overlay = overlays_[run];
-  const bool by_field = viz::colour_needs_fields(picture.color), among = overlay.draws();
-  ReadOptions read{.region = {},
-                   .contacts = overlay.needs_contacts(),
-                   .fields = overlay.needs_fields() || by_field,
-                   .ids = among,
-                   .types = among || picture.color == "type",
-                   .materials = picture.color == "material"};
-  if (by_field && !overlay.needs_fields()) read.field = viz::coloured_field(picture.color);
-  // A scale or legend of its own and what is drawn among the particles depend on those cut away, too.
-  const bool own_scale = !picture.range && picture.color != "type" && picture.color != "material";
-  if (!picture.cut.empty() && !own_scale && !among) {
-    read.wants_chunk = [cut = picture.cut](const Region& box) { return !viz::is_cut_away(cut, box); };
-  }
-  return read;
+  if (!overlay.draws()) return runs_[run].open(index);
+  return OpenSnapshot(runs_[run].snapshot(index, {.region = {}, .contacts = overlay.needs_contacts()}));
 }
 
 void RenderSource::fix_scales(viz::PictureOptions& picture) const {
@@ -52,11 +40,11 @@ void RenderSource::fix_scales(viz::PictureOptions& picture) const {
   for (std::size_t frame = 0; frame < frames(); ++frame) {
     for (std::size_t run = 0; run < runs_.size(); ++run) {
       const std::size_t index = snapshots_[run][frame];
-      const Snapshot snapshot = runs_[run].snapshot(index, read_for(run, picture));
-      const auto range = colours ? viz::value_range(snapshot, picture.color) : std::nullopt;
+      const OpenSnapshot snapshot = open(run, index);
+      const auto range = colours ? viz::value_range(snapshot.view(), picture.color) : std::nullopt;
       if (range) picture.range = viz::united(picture.range, *range);
       if (!sizes) continue;
-      const viz::Overlay shown = overlays_[run].of(snapshot, index);
+      const viz::Overlay shown = overlays_[run].of(*snapshot.view().snapshot, index);
       viz::OverlayLook& look = picture.look;
       if (forces) look.thickest_force = std::max(look.thickest_force, shown.links.quantile(viz::link_quantile));
       if (lengths) look.longest_arrow = std::max(look.longest_arrow, shown.arrows.quantile(viz::arrow_quantile));
@@ -66,13 +54,12 @@ void RenderSource::fix_scales(viz::PictureOptions& picture) const {
   if (one_value) picture.range.reset();  // every picture widens it in the same way
 }
 
-RenderSource::Shown RenderSource::read(std::size_t frame, const viz::PictureOptions& picture) const {
+RenderSource::Shown RenderSource::read(std::size_t frame) const {
   Shown shown;
-  shown.snapshots.reserve(runs_.size());  // contents refer to them
   for (std::size_t run = 0; run < runs_.size(); ++run) {
     const std::size_t index = snapshots_[run][frame];
-    shown.snapshots.push_back(runs_[run].snapshot(index, read_for(run, picture)));
-    shown.contents.push_back({shown.snapshots.back(), overlays_[run].of(shown.snapshots.back(), index)});
+    const ParticleView view = shown.snapshots.emplace_back(open(run, index)).view();
+    shown.contents.push_back({view, overlays_[run].of(*view.snapshot, index)});
   }
   return shown;
 }

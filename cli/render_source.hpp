@@ -28,14 +28,15 @@ class RenderSource {
   /// Scales that are not given span all frames of all runs, where there is more than one.
   void fix_scales(viz::PictureOptions& picture) const;
 
+  /// What a frame shows: particles where they lie, and where something is drawn among them in memory.
   struct Shown {
-    std::vector<Snapshot> snapshots;
+    std::vector<OpenSnapshot> snapshots;
     std::vector<viz::PanelContent> contents;  ///< refers to them
   };
-  Shown read(std::size_t frame, const viz::PictureOptions& picture) const;
+  Shown read(std::size_t frame) const;
 
  private:
-  ReadOptions read_for(std::size_t run, const viz::PictureOptions& picture) const;
+  OpenSnapshot open(std::size_t run, std::size_t index) const;
 
   std::vector<RunReader> runs_;
   std::vector<std::string> titles_;

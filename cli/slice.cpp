@@ -118,21 +118,20 @@ std::vector<SliceFrame> frames_of(const SliceCall& call, const std::vector<RunRe
 /// The snapshots of a frame, kept while the next ones are of the same.
 class SliceSource {
  public:
-  SliceSource(const std::vector<RunReader>& runs, std::vector<std::string> titles, bool fields)
-      : runs_(runs), titles_(std::move(titles)), fields_(fields) {}
+  SliceSource(const std::vector<RunReader>& runs, std::vector<std::string> titles)
+      : runs_(runs), titles_(std::move(titles)) {}
 
   std::vector<viz::SlicePanel> panels(const SliceFrame& frame) {
     if (frame.snapshots != read_) {
       snapshots_.clear();
       for (std::size_t k = 0; k < runs_.size(); ++k) {
-        snapshots_.push_back(
-            runs_[k].snapshot(frame.snapshots[k], {.region = {}, .contacts = false, .fields = fields_}));
+        snapshots_.push_back(runs_[k].open(frame.snapshots[k]));
       }
       read_ = frame.snapshots;
     }
     std::vector<viz::SlicePanel> panels;
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-      panels.push_back({snapshots_[k], frame.plane, titles_[k]});
+      panels.push_back({snapshots_[k].view(), frame.plane, titles_[k]});
     }
     return panels;
   }
@@ -140,9 +139,8 @@ class SliceSource {
  private:
   const std::vector<RunReader>& runs_;
   std::vector<std::string> titles_;
-  bool fields_;
   std::vector<std::size_t> read_;
-  std::vector<Snapshot> snapshots_;
+  std::vector<OpenSnapshot> snapshots_;
 };
 
 /// The colour scale of a film spans all of its frames; the planes are checked before the first is drawn.
@@ -152,12 +150,12 @@ void prepare_film(viz::SliceOptions& options, SliceSource& source, const std::ve
   for (const SliceFrame& frame : frames) {
     if (!fix && read && frame.snapshots != frames.front().snapshots) break;  // not read for nothing
     const std::vector<viz::SlicePanel> panels = source.panels(frame);
-    for (const viz::SlicePanel& panel : panels) viz::check_plane(panel.snapshot.domain, panel.plane);
+    for (const viz::SlicePanel& panel : panels) viz::check_plane(panel.particles.snapshot->domain, panel.plane);
     if (read && *read == frame.snapshots) continue;
     read = &frame.snapshots;
     if (!fix) continue;
     for (const viz::SlicePanel& panel : panels) {
-      const auto range = viz::value_range(panel.snapshot, options.color);
+      const auto range = viz::value_range(panel.particles, options.color);
       if (range) options.range = viz::united(options.range, *range);
     }
   }
@@ -168,9 +166,8 @@ void prepare_film(viz::SliceOptions& options, SliceSource& source, const std::ve
 void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const std::vector<SliceFrame>& frames,
                 viz::Ranks& ranks) {
   viz::SliceOptions options = slice_options(call, runs);
-  const bool fields = viz::colour_needs_fields(options.color);
   const std::vector<std::string> titles = panel_titles(call.titles, runs);
-  SliceSource source(runs, titles, fields);
+  SliceSource source(runs, titles);
   prepare_film(options, source, frames);
   const Provenance provenance(runs.front(), frames.front().snapshots.front(), call.recipe);
   Film film{.output = call.output,
@@ -188,7 +185,7 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
             .text = [&](std::size_t k) { return provenance.at(frames[k].snapshots.front()); },
             .dots_per_inch = dots_per_inch(call.figure)};
   film.prepare = [&] {
-    const auto own = std::make_shared<SliceSource>(runs, titles, fields);
+    const auto own = std::make_shared<SliceSource>(runs, titles);
     return [&, own](std::size_t k) {
       const viz::Drawing drawing = figure_drawing(viz::slice_drawing(own->panels(frames[k]), options), call.figure);
       Frame frame;
@@ -204,7 +201,7 @@ void slice_film(const SliceCall& call, const std::vector<RunReader>& runs, const
 
 void slice_figure(const SliceCall& call, const std::vector<RunReader>& runs, const SliceFrame& frame) {
   const viz::SliceOptions options = slice_options(call, runs);
-  SliceSource source(runs, panel_titles(call.titles, runs), viz::colour_needs_fields(options.color));
+  SliceSource source(runs, panel_titles(call.titles, runs));
   const std::size_t index = frame.snapshots.front();
   check_writable(call.output);
   save_figure(call.output, viz::slice_drawing(source.panels(frame), options), call.figure, options.supersampling,

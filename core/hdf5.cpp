@@ -8,6 +8,8 @@ namespace packstone::hdf5 {
 
 namespace {
 
+constexpr hsize_t aligned_from = 1024, alignment = 64;  // [bytes]
+
 /// HDF5 prints its own error stack to stderr unless told not to.
 void silence() {
   static const bool done = [] {
@@ -41,7 +43,9 @@ hid_t Writer::checked(hid_t result, const char* what) const {
 Writer::Writer(const std::filesystem::path& path) : path_(path) {
   silence();
   // No time stamps: the same content gives the same bytes.
-  file_ = Handle(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create file"), H5Fclose);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_alignment(access, aligned_from, alignment);  // columns can be looked at where they lie
+  file_ = Handle(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create file"), H5Fclose);
 }
 
 void Writer::group(const std::string& name) {
@@ -184,6 +188,17 @@ void Reader::read(const std::string& name, void* data, std::size_t first, std::s
   if (H5Dread(set, type, memory, space, H5P_DEFAULT, data) < 0) {
     fail("dataset " + name + " cannot be read (damaged or cut short?)");
   }
+}
+
+std::optional<std::size_t> Reader::place(const std::string& name, std::size_t bytes, hid_t type) const {
+  const Handle set = open(name);
+  const Handle stored(H5Dget_type(set), H5Tclose);
+  const haddr_t place = H5Dget_offset(set);  // undefined where there is no single one
+  if (place == HADDR_UNDEF || H5Tequal(stored, type) <= 0) return std::nullopt;
+  if (place > std::filesystem::file_size(path_) || bytes > std::filesystem::file_size(path_) - place) {
+    fail("dataset " + name + " reaches beyond the end of the file (damaged or cut short?)");
+  }
+  return static_cast<std::size_t>(place);
 }
 
 std::vector<std::string> Reader::texts(const std::string& name) const {

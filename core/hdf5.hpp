@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -106,6 +107,12 @@ class Reader {
   }
   /// The same of three columns.
   std::vector<Vec3> vectors(const std::string& name, std::size_t first = 0, std::size_t rows = npos) const;
+  /// Where in the file a dataset of so many rows and columns begins, when its numbers lie there one after the other as
+  /// they would in memory; nothing where they are compressed, in pieces, or of another type.
+  template <class T>
+  std::optional<std::size_t> place_of(const std::string& name, std::size_t columns, std::size_t rows) const {
+    return place(name, extent(name, columns, 0, rows) * columns * sizeof(T), memory_type<T>());
+  }
   std::string text(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
@@ -117,6 +124,7 @@ class Reader {
   /// Number of rows to read; fails unless the dataset has these columns and rows.
   std::size_t extent(const std::string& name, std::size_t columns, std::size_t first, std::size_t rows) const;
   void read(const std::string& name, void* data, std::size_t first, std::size_t rows, hid_t type) const;
+  std::optional<std::size_t> place(const std::string& name, std::size_t bytes, hid_t type) const;
   Handle open(const std::string& name) const;
 
   std::filesystem::path path_;

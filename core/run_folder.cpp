@@ -95,6 +95,11 @@ Snapshot RunReader::snapshot(std::size_t index, const ReadOptions& options) cons
   return series_->snapshot(index, options);
 }
 
+OpenSnapshot RunReader::open(std::size_t index) const {
+  if (series_->is_snapshot(index)) return OpenSnapshot(files_.at(index));
+  return OpenSnapshot(series_->snapshot(index, {.region = {}, .contacts = false}));
+}
+
 std::size_t RunReader::index_at(const std::string& where) const {
   if (files_.empty()) throw InputError(path_.string() + ": holds no snapshot yet");
   const auto count = static_cast<long>(files_.size());

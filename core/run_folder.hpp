@@ -9,6 +9,7 @@
 
 #include "core/formats/packing_series.hpp"
 #include "core/history.hpp"
+#include "core/open_snapshot.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone {
@@ -57,6 +58,8 @@ class RunReader {
   /// Time of every snapshot [s], ascending; 0 where another program's file does not say it.
   const std::vector<double>& times() const { return times_; }
   Snapshot snapshot(std::size_t index, const ReadOptions& options = {}) const;
+  /// The particles of a snapshot where they lie, without contacts.
+  OpenSnapshot open(std::size_t index) const;
   /// Index from "last", "first", a number (negative counts from the end) or "t=SECONDS" (nearest).
   /// Throws InputError where there is none, as for a time half an interval or more before the first or after the last.
   std::size_t index_at(const std::string& where) const;

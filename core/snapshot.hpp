@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -117,13 +116,8 @@ struct Region {
 struct ReadOptions {
   std::optional<Region> region;  ///< only chunks whose spheres can touch it, then only such spheres
   bool contacts = true;
-  bool fields = true;                  ///< Snapshot::fields
-  std::optional<std::string> field{};  ///< of the fields this one alone, where there is such a one
-  bool ids = true;                     ///< else Snapshot::id stays empty
-  bool types = true;                   ///< else Snapshot::type stays empty
-  bool materials = true;               ///< else Snapshot::material stays empty
-  /// Chunks for whose box of spheres this is false are left out.
-  std::function<bool(const Region& box)> wants_chunk{};
+  bool fields = true;  ///< Snapshot::fields
+  bool rows = true;    ///< else no particles
 };
 
 /// The rows along a Morton curve through the box around the centres (G. M. Morton, IBM Ltd., Ottawa, 1966), ties by id:

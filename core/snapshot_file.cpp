@@ -11,6 +11,7 @@
 #include "core/hdf5.hpp"
 #include "core/reordered.hpp"
 #include "core/snapshot.hpp"
+#include "core/snapshot_layout.hpp"
 
 namespace packstone {
 
@@ -19,7 +20,6 @@ namespace {
 constexpr std::int64_t format_version = 1;
 constexpr std::int64_t vtkhdf_version[2] = {1, 0};
 constexpr std::uint8_t vtk_vertex = 1;
-constexpr std::size_t chunk_rows = 4096;
 
 std::span<const double> flat(const std::vector<Vec3>& rows) {
   return {rows.empty() ? nullptr : rows.front().data(), rows.size() * 3};
@@ -38,13 +38,13 @@ void write_vtk_part(hdf5::Writer& file, const Snapshot& s, const std::vector<std
   file.dataset("/VTKHDF/Offsets", rows);
   file.dataset("/VTKHDF/Connectivity", std::span<const std::int64_t>(rows).first(s.size()));
   file.dataset("/VTKHDF/Types", std::vector<std::uint8_t>(s.size(), vtk_vertex));
-  file.dataset("/VTKHDF/Points", flat(reordered(s.position, order)), 3);
+  file.dataset(snapshot_points, flat(reordered(s.position, order)), 3);
 
   file.group("/VTKHDF/PointData");
   const auto point_data = [&](const std::string& name, const auto& values, const std::string& unit,
                               std::size_t columns = 0) {
-    file.dataset("/VTKHDF/PointData/" + name, values, columns);
-    file.text_attribute("/VTKHDF/PointData/" + name, "unit", unit);
+    file.dataset(snapshot_column(name), values, columns);
+    file.text_attribute(snapshot_column(name), "unit", unit);
   };
   point_data("radius", reordered(s.radius, order), "m");
   point_data("id", reordered(s.id, order), "");
@@ -141,9 +141,9 @@ void write_header(hdf5::Writer& file, const Snapshot& s, const std::vector<std::
 
   std::vector<std::int64_t> first_row;
   std::vector<Vec3> bounds;  // low and high corner of the spheres of each chunk
-  for (std::size_t first = 0; first < order.size(); first += chunk_rows) {
+  for (std::size_t first = 0; first < order.size(); first += rows_a_chunk) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (std::size_t k = first; k < std::min(first + chunk_rows, order.size()); ++k) {
+    for (std::size_t k = first; k < std::min(first + rows_a_chunk, order.size()); ++k) {
       const double r = s.radius[order[k]];
       low = low.cwiseMin(s.position[order[k]].array().operator-(r).matrix());
       high = high.cwiseMax(s.position[order[k]].array().operator+(r).matrix());
@@ -254,17 +254,6 @@ void read_context(const hdf5::Reader& file, Snapshot& s) {
   s.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
 }
 
-std::vector<std::string> fields_to_read(const hdf5::Reader& file, const ReadOptions& options) {
-  if (!options.fields) return {};
-  std::vector<std::string> names = file.children("/VTKHDF/PointData");
-  std::erase_if(names, [](const std::string& name) {
-    return name == "radius" || name == "id" || name == "type" || name == "material";
-  });
-  // All where it is not there, so that a message can name them.
-  if (options.field && std::find(names.begin(), names.end(), *options.field) != names.end()) return {*options.field};
-  return names;
-}
-
 void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::size_t rows,
                  const ReadOptions& options) {
   const auto append = [](auto& to, auto&& from) {
@@ -274,13 +263,14 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
       to.insert(to.end(), from.begin(), from.end());
     }
   };
-  append(s.position, file.vectors("/VTKHDF/Points", first, rows));
-  append(s.radius, file.dataset<double>("/VTKHDF/PointData/radius", 1, first, rows));
-  if (options.ids) append(s.id, file.dataset<std::int64_t>("/VTKHDF/PointData/id", 1, first, rows));
-  if (options.types) append(s.type, file.dataset<std::int32_t>("/VTKHDF/PointData/type", 1, first, rows));
-  if (options.materials) append(s.material, file.dataset<std::int32_t>("/VTKHDF/PointData/material", 1, first, rows));
-  for (const auto& name : fields_to_read(file, options)) {
-    const std::string set = "/VTKHDF/PointData/" + name;
+  append(s.position, file.vectors(snapshot_points, first, rows));
+  append(s.radius, file.dataset<double>(snapshot_column("radius"), 1, first, rows));
+  append(s.id, file.dataset<std::int64_t>(snapshot_column("id"), 1, first, rows));
+  append(s.type, file.dataset<std::int32_t>(snapshot_column("type"), 1, first, rows));
+  append(s.material, file.dataset<std::int32_t>(snapshot_column("material"), 1, first, rows));
+  if (!options.fields) return;
+  for (const auto& name : field_names(file)) {
+    const std::string set = snapshot_column(name);
     Field& field = s.fields[name];
     field.components = static_cast<int>(file.shape(set).second);
     field.unit = file.text_attribute(set, "unit");
@@ -288,28 +278,20 @@ void append_rows(const hdf5::Reader& file, Snapshot& s, std::size_t first, std::
   }
 }
 
-/// The particles of those chunks that the options want.
-void read_chunks(const hdf5::Reader& file, Snapshot& s, std::size_t total, const ReadOptions& options) {
-  const auto first_row = file.dataset<std::int64_t>("/packstone/chunk_first_row");
-  const auto bounds = file.dataset<double>("/packstone/chunk_bounds", 6, 0, first_row.size());
-  const auto wanted = [&](const Region& box) {
-    const bool outside = options.region && ((box.min.array() > options.region->max.array()).any() ||
-                                            (box.max.array() < options.region->min.array()).any());
-    return !outside && (!options.wants_chunk || options.wants_chunk(box));
-  };
-  std::size_t first = 0, rows = 0;  // of chunks one after the other that are wanted
-  for (std::size_t c = 0; c < first_row.size(); ++c) {
-    const auto begin = static_cast<std::size_t>(first_row[c]);
-    const auto end = c + 1 < first_row.size() ? static_cast<std::size_t>(first_row[c + 1]) : total;
-    if (end < begin) file.fail("/packstone/chunk_first_row does not ascend");
-    const Eigen::Map<const Vec3> low(&bounds[6 * c]), high(&bounds[6 * c + 3]);
-    if (!wanted({low, high})) continue;
-    if (rows > 0 && first + rows != begin) {
+/// The particles of those chunks that can touch the region.
+void read_chunks_in(const Region& region, const hdf5::Reader& file, Snapshot& s, std::size_t total,
+                    const ReadOptions& options) {
+  std::size_t first = 0, rows = 0;  // of chunks one after the other that can
+  for (const RowChunk& chunk : read_chunks(file, total)) {
+    const bool outside =
+        (chunk.box.min.array() > region.max.array()).any() || (chunk.box.max.array() < region.min.array()).any();
+    if (outside) continue;
+    if (rows > 0 && first + rows != chunk.first) {
       append_rows(file, s, first, rows, options);
       rows = 0;
     }
-    if (rows == 0) first = begin;
-    rows += end - begin;
+    if (rows == 0) first = chunk.first;
+    rows += chunk.last - chunk.first;
   }
   append_rows(file, s, first, rows, options);  // also of none, for the fields' names
 }
@@ -355,10 +337,10 @@ Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& opt
   read_context(file, s);
   s.time = file.dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
   s.step = file.dataset<std::int64_t>("/VTKHDF/FieldData/step", 1, 0, 1).front();
-  const std::size_t total = file.shape("/VTKHDF/Points").first;
-  if (options.region || options.wants_chunk) {
-    read_chunks(file, s, total, options);
-  } else {
+  const std::size_t total = file.shape(snapshot_points).first;
+  if (options.rows && options.region) {
+    read_chunks_in(*options.region, file, s, total, options);
+  } else if (options.rows) {
     append_rows(file, s, 0, total, options);
   }
   if (options.region) s = restricted(s, *options.region);

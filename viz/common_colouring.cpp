@@ -2,25 +2,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace packstone::viz {
 
 namespace {
 
-using Snapshots = std::vector<std::reference_wrapper<const Snapshot>>;
+using Packings = std::vector<ParticleView>;
 
-/// A legend names no more numbers than these, as that of one snapshot.
-constexpr std::size_t most_named = 12;
-
-/// Of all snapshots; where they hold one value only, what a scale makes of it.
-std::optional<ValueRange> common_range(const Snapshots& snapshots, const std::string& name) {
+/// Of all packings; where they hold one value only, what a scale makes of it.
+std::optional<ValueRange> common_range(const Packings& packings, const std::string& name) {
   std::optional<ValueRange> range;
-  const Snapshot* valued = nullptr;
-  for (const Snapshot& snapshot : snapshots) {
-    const auto own = value_range(snapshot, name);
+  const ParticleView* valued = nullptr;
+  for (const ParticleView& packing : packings) {
+    const auto own = value_range(packing, name);
     if (!own) continue;
     range = united(range, *own);
-    valued = &snapshot;
+    valued = &packing;
   }
   if (!range || range->first < range->second) return range;
   return colour_particles(*valued, name, std::nullopt).range;
@@ -39,28 +37,18 @@ std::vector<LegendEntry> common_names(const std::vector<Colouring>& colourings) 
   return entries;
 }
 
-void colour_by_common_names(const Snapshots& snapshots, const std::string& name, std::vector<Colouring>& colourings) {
+void colour_by_common_names(const Packings& packings, const std::string& name, std::vector<Colouring>& colourings) {
   const std::vector<LegendEntry> entries = common_names(colourings);
-  for (std::size_t k = 0; k < snapshots.size(); ++k) {
+  for (std::size_t k = 0; k < packings.size(); ++k) {
     std::vector<Colour> palette;  // of the snapshot's own numbers
     for (const LegendEntry& own : colourings[k].entries) {
       const auto same = [&](const LegendEntry& entry) { return entry.name == own.name; };
       palette.push_back(std::find_if(entries.begin(), entries.end(), same)->colour);
     }
-    const Snapshot& snapshot = snapshots[k];
-    const std::vector<std::int32_t>& category = name == "type" ? snapshot.type : snapshot.material;
-    for (std::size_t row = 0; row < category.size(); ++row) {
-      const std::int32_t index = category[row];
-      if (index < 0 || static_cast<std::size_t>(index) >= palette.size()) continue;
-      colourings[k].colours[row] = palette[static_cast<std::size_t>(index)];
-    }
+    const auto category = name == "type" ? packings[k].type : packings[k].material;
+    colourings[k].colours = category_colours(category, std::move(palette));
     colourings[k].entries = entries;
   }
-}
-
-bool named(const Colouring& colouring) {
-  return !colouring.entries.empty() || std::all_of(colouring.colours.begin(), colouring.colours.end(),
-                                                   [](const Colour& colour) { return colour == no_value; });
 }
 
 /// Numbers have the same colour everywhere; the legend has those of all, unless they are many.
@@ -74,24 +62,23 @@ void name_common_numbers(std::vector<Colouring>& colourings) {
             [&](const LegendEntry& a, const LegendEntry& b) { return number(a) < number(b); });
   const auto same = [](const LegendEntry& a, const LegendEntry& b) { return a.name == b.name; };
   entries.erase(std::unique(entries.begin(), entries.end(), same), entries.end());
-  if (entries.size() > most_named || !std::all_of(colourings.begin(), colourings.end(), named)) {
-    entries.clear();
-  }
+  const auto many = [](const Colouring& colouring) { return colouring.too_many_to_name; };
+  if (entries.size() > most_named || std::any_of(colourings.begin(), colourings.end(), many)) entries.clear();
   for (Colouring& colouring : colourings) colouring.entries = entries;
 }
 
 }  // namespace
 
-std::vector<Colouring> colour_together(const Snapshots& snapshots, const std::string& name,
+std::vector<Colouring> colour_together(const Packings& packings, const std::string& name,
                                        std::optional<ValueRange> range) {
-  if (!range && snapshots.size() > 1 && !colours_categories(name)) range = common_range(snapshots, name);
+  if (!range && packings.size() > 1 && !colours_categories(name)) range = common_range(packings, name);
   std::vector<Colouring> colourings;
-  for (const Snapshot& snapshot : snapshots) colourings.push_back(colour_particles(snapshot, name, range));
-  if (snapshots.size() == 1) return colourings;
+  for (const ParticleView& packing : packings) colourings.push_back(colour_particles(packing, name, range));
+  if (packings.size() == 1) return colourings;
   if (name.starts_with(category_prefix)) {
     name_common_numbers(colourings);
   } else if (colours_categories(name)) {
-    colour_by_common_names(snapshots, name, colourings);
+    colour_by_common_names(packings, name, colourings);
   }
   return colourings;
 }

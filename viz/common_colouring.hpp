@@ -1,7 +1,6 @@
 // One meaning of the colours for several packings shown together.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@ namespace packstone::viz {
 /// Colours of each snapshot as colour_particles gives them, with one key, which each of the results has: a scale spans
 /// the values of all, unless a range is given; groups and materials of one name have one colour, in the order in which
 /// the names come first. One snapshot has its own colours. Throws InputError as colour_particles does.
-std::vector<Colouring> colour_together(const std::vector<std::reference_wrapper<const Snapshot>>& snapshots,
-                                       const std::string& name, std::optional<ValueRange> range);
+std::vector<Colouring> colour_together(const std::vector<ParticleView>& packings, const std::string& name,
+                                       std::optional<ValueRange> range);
 
 }  // namespace packstone::viz

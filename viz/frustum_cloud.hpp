@@ -38,6 +38,7 @@ class FrustumCloud {
   const Camera& camera() const { return camera_; }
   /// The nearest first.
   const std::vector<Packet>& packets() const { return packets_; }
+  std::span<const Packet> parts_of(const Packet&) const { return {}; }
 
   /// Those of a packet that reach into the window, the nearest first, without those of no length and those that reach
   /// nearer to the viewer than the camera allows.

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <queue>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "viz/outline.hpp"
@@ -81,14 +84,29 @@ class Horizon {
 /// others hide cost little; the pixels are the same.
 template <class Cloud, class DrawOne>
 void draw_visible(PixelLayer& layer, const Cloud& cloud, bool cull, DrawOne&& draw_one) {
-  const auto in_window = [&](const Packet& packet) { return !clipped(packet.outline, layer.window()).empty(); };
-  if (std::none_of(cloud.packets().begin(), cloud.packets().end(), in_window)) return;
+  const auto farther = [](const Packet* a, const Packet* b) {
+    return std::pair(a->outline.nearest, a->first) > std::pair(b->outline.nearest, b->first);
+  };
+  std::priority_queue<const Packet*, std::vector<const Packet*>, decltype(farther)> nearest(farther);
+  const auto add = [&](std::span<const Packet> packets) {
+    for (const Packet& packet : packets) {
+      if (!clipped(packet.outline, layer.window()).empty()) nearest.push(&packet);
+    }
+  };
+  add(cloud.packets());
+  if (nearest.empty()) return;
   layer.make_drawable();
   Horizon horizon(layer);
   std::vector<Candidate> found;
-  for (const Packet& packet : cloud.packets()) {
-    const Outline outline = clipped(packet.outline, layer.window());
-    if (outline.empty() || (cull && horizon.hides(outline))) continue;
+  while (!nearest.empty()) {
+    const Packet& packet = *nearest.top();
+    nearest.pop();
+    if (cull && horizon.hides(clipped(packet.outline, layer.window()))) continue;
+    const std::span<const Packet> parts = cloud.parts_of(packet);
+    if (!parts.empty()) {
+      add(parts);
+      continue;
+    }
     cloud.find(packet, layer.window(), found);
     for (const Candidate& candidate : found) {
       if (cull && horizon.hides(candidate.outline)) continue;

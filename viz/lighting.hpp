@@ -1,6 +1,7 @@
 // How bright a surface is, for all bodies that are drawn ray by ray.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace packstone::viz {
@@ -16,7 +17,11 @@ inline std::uint32_t lit(float diffuse_r, float diffuse_g, float diffuse_b, floa
   const float key = greater(-0.48F * nx - 0.69F * ny - 0.55F * nz, 0.0F);
   const float fill = greater(0.91F * nx - 0.18F * ny - 0.37F * nz, 0.0F);
   const float light = 0.22F + 0.36F * facing + 0.51F * key + 0.12F * fill;
-  float shine = greater(-0.27F * nx - 0.39F * ny - 0.88F * nz, 0.0F);
+  // From there on the power leaves no trace in a byte; smaller ones would be denormal, on which processors take their
+  // time. As integers, since compilers move a choice of floats behind the power.
+  constexpr auto faintest = std::bit_cast<std::int32_t>(0.125F);
+  const auto towards_key = std::bit_cast<std::int32_t>(-0.27F * nx - 0.39F * ny - 0.88F * nz);
+  float shine = std::bit_cast<float>(towards_key > faintest ? towards_key : faintest);
   for (int k = 0; k < 5; ++k) shine *= shine;
   constexpr float full = 255, opaque = 0xff;
   const float gloss = 0.10F * full * shine + 0.5F;  // rounds

@@ -1,6 +1,8 @@
 #include "viz/outline.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -51,14 +53,19 @@ void sort_by_distance(std::vector<Packet>& packets) {
 }
 
 void keep_visible(std::vector<Candidate>& candidates, const PixelWindow& window) {
-  const auto end = std::remove_if(candidates.begin(), candidates.end(), [&](Candidate& candidate) {
+  // Distances are not negative, so their bits have their order; equal ones follow the rows, which ascend.
+  std::array<std::uint64_t, rows_a_packet> order;
+  std::array<Candidate, rows_a_packet> kept;
+  std::size_t count = 0;
+  for (Candidate& candidate : candidates) {
     candidate.outline = clipped(candidate.outline, window);
-    return candidate.outline.empty();
-  });
-  candidates.erase(end, candidates.end());
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::pair(a.outline.nearest, a.row) < std::pair(b.outline.nearest, b.row);
-  });
+    if (candidate.outline.empty()) continue;
+    order[count] = std::uint64_t{std::bit_cast<std::uint32_t>(candidate.outline.nearest)} << 32 | count;
+    kept[count++] = candidate;
+  }
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+  candidates.resize(count);
+  for (std::size_t k = 0; k < count; ++k) candidates[k] = kept[order[k] & 0xffffffff];
 }
 
 }  // namespace packstone::viz

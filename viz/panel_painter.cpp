@@ -31,12 +31,12 @@ PanelPainter::~PanelPainter() = default;
 // The last panel of the first row has the legend and what stands below it, and is as much wider than the others.
 void PanelPainter::lay_out(const std::vector<PanelContent>& contents, const Colouring& colouring) {
   const int count = static_cast<int>(titles_.size()), rows = (count + columns_ - 1) / columns_;
-  const double font = font_size(options_.width, options_.height), time = contents.front().snapshot.time;
+  const double font = font_size(options_.width, options_.height), time = contents.front().particles.snapshot->time;
   times_differ_ = std::any_of(contents.begin(), contents.end(),
-                              [&](const PanelContent& content) { return content.snapshot.time != time; });
+                              [&](const PanelContent& content) { return content.particles.snapshot->time != time; });
   PictureOptions common = options_;
   common.fit = Vec3::Zero();
-  for (const PanelContent& content : contents) common.fit = common.fit->cwiseMax(content.snapshot.domain.size());
+  for (const PanelContent& content : contents) common.fit = common.fit->cwiseMax(content.particles.snapshot->domain.size());
   common.height = options_.height / rows;
   common.time = options_.time && !times_differ_;
   PictureOptions plain = common;
@@ -45,7 +45,7 @@ void PanelPainter::lay_out(const std::vector<PanelContent>& contents, const Colo
   const auto room = [&](PictureOptions own) {
     own.font_scale *= font / font_size(own.width, own.height);
     return static_cast<int>(
-        std::ceil(room_beside(own, contents.front().snapshot, colouring, contents.front().overlay)));
+        std::ceil(room_beside(own, *contents.front().particles.snapshot, colouring, contents.front().overlay)));
   };
   const int with_legend = room(common), without = room(plain);
   const int seen = (options_.width - with_legend - (columns_ - 1) * without) / columns_;
@@ -59,21 +59,21 @@ void PanelPainter::lay_out(const std::vector<PanelContent>& contents, const Colo
     own.width = seen + (k == columns_ - 1 ? with_legend : without);
     own.font_scale = options_.font_scale * font / font_size(own.width, own.height);
     own.title = lettered(panel, titles_[panel]);
-    if (options_.time && times_differ_) own.title += ", " + time_text(contents[panel].snapshot.time);
+    if (options_.time && times_differ_) own.title += ", " + time_text(contents[panel].particles.snapshot->time);
     const PixelWindow window{k % columns_ * (seen + without), k / columns_ * common.height, own.width, own.height};
     panels_.push_back({window, std::make_unique<ParticlePainter>(own)});
   }
 }
 
 void PanelPainter::show(const std::vector<PanelContent>& contents) {
-  std::vector<std::reference_wrapper<const Snapshot>> snapshots;
-  for (const PanelContent& content : contents) snapshots.emplace_back(content.snapshot);
-  std::vector<Colouring> colourings = colour_together(snapshots, options_.color, options_.range);
+  std::vector<ParticleView> packings;
+  for (const PanelContent& content : contents) packings.push_back(content.particles);
+  std::vector<Colouring> colourings = colour_together(packings, options_.color, options_.range);
   if (titles_.size() > 1 && (panels_.empty() || times_differ_)) {  // titles tell the times
     lay_out(contents, colourings.front());
   }
   for (std::size_t k = 0; k < panels_.size(); ++k) {
-    panels_[k].painter->show(contents[k].snapshot, contents[k].overlay, std::move(colourings[k]));
+    panels_[k].painter->show(contents[k].particles, contents[k].overlay, std::move(colourings[k]));
   }
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/snapshot.hpp"
+#include "core/particle_view.hpp"
 #include "viz/overlay.hpp"
 #include "viz/particle_scene.hpp"
 #include "viz/pixel_window.hpp"
@@ -14,7 +14,7 @@ namespace packstone::viz {
 
 /// What a panel shows; the overlay may be empty.
 struct PanelContent {
-  const Snapshot& snapshot;
+  ParticleView particles;
   Overlay overlay;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -39,6 +38,28 @@ ColourKeys keys_of(const PictureOptions& options, const Colouring& colouring, co
   return keys;
 }
 
+/// Mean radius of the particles that are not cut away [m].
+double mean_radius(const ParticleView& particles, const CutAway& cut) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < particles.size(); ++row) {
+    if (!(particles.radius[row] > 0) || is_cut_away(cut, particles.position[row])) continue;
+    sum += particles.radius[row];
+    ++count;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(1, count));
+}
+
+/// The pieces of chunks that lie within rows [first, last).
+std::vector<RowChunk> within(const std::vector<RowChunk>& chunks, std::size_t first, std::size_t last) {
+  std::vector<RowChunk> pieces;
+  for (const RowChunk& chunk : chunks) {
+    const RowChunk piece{std::max(first, chunk.first), std::min(last, chunk.last), chunk.box};
+    if (piece.first < piece.last) pieces.push_back(piece);
+  }
+  return pieces;
+}
+
 /// What a snapshot looks like from a camera.
 struct Frame {
   UnitSpace space;
@@ -46,41 +67,41 @@ struct Frame {
   OverlayBodies overlay;
   ColourKeys keys;
   Layout layout;
-  Camera camera;  // of the samples
-  std::vector<Vec3> centres;
-  std::vector<double> radii;
-  double reach;  // mean radius of the particles drawn, in the middle of the picture [samples]
+  Camera camera;                    // of the samples
+  std::vector<double> other_radii;  // where they are not the particles' own
+  double reach = 0;  // of hollows: mean radius of the particles drawn, in the middle of the picture [samples]
   std::vector<SphereCloud> parts;
   FrustumCloud tubes;
   SphereCloud joints;
 
-  Frame(const Snapshot& snapshot, const Overlay& drawn_among, std::optional<Colouring> given,
+  Frame(const ParticleView& particles, const Overlay& drawn_among, std::optional<Colouring> given,
         const PictureOptions& options)
-      : space(snapshot.domain),
-        colouring(given ? std::move(*given) : colour_particles(snapshot, options.color, options.range)),
-        overlay(drawn_among, snapshot, space, colouring, options),
+      : space(particles.snapshot->domain),
+        colouring(given ? std::move(*given) : colour_particles(particles, options.color, options.range)),
+        overlay(drawn_among, *particles.snapshot, space, colouring, options),
         keys(keys_of(options, colouring, drawn_among, overlay)),
         layout(lay_out(options, space, keys)),
         camera(layout.camera.finer(options.supersampling)),
-        centres(snapshot.size()),
-        radii(snapshot.size()),
-        tubes(overlay.frusta, camera, number(snapshot.size())),
-        joints(overlay.centres, overlay.radii, overlay.colours, camera,
-               number(snapshot.size() + overlay.frusta.size())) {
-    for (std::size_t row = 0; row < snapshot.size(); ++row) {
-      centres[row] = (snapshot.position[row] - space.centre) * space.scale;
-      const bool left_out = is_cut_away(options.cut, snapshot.position[row]);
-      radii[row] = left_out ? 0 : snapshot.radius[row] * space.scale;  // of no radius nothing is drawn
+        tubes(overlay.frusta, camera, number(particles.size())),
+        joints(sphere_rows(overlay.centres, overlay.radii, overlay.colours), camera,
+               number(particles.size() + overlay.frusta.size())) {
+    if (options.occlusion > 0) {
+      reach = mean_radius(particles, options.cut) * space.scale * camera.pixels_per_unit();
     }
-    const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
-    const auto drawn = std::count_if(radii.begin(), radii.end(), [](double radius) { return radius > 0; });
-    reach = sum / static_cast<double>(std::max<std::ptrdiff_t>(1, drawn)) * camera.pixels_per_unit();
-    if (options.shown != Shown::all) shrink(snapshot, drawn_among, options.shown == Shown::shrunk ? shrunk_share : 0);
+    if (options.shown != Shown::all) shrink(particles, drawn_among, options.shown == Shown::shrunk ? shrunk_share : 0);
+    SphereRows rows{.centres = particles.position,
+                    .radii = other_radii.empty() ? particles.radius : std::span<const double>(other_radii),
+                    .colours = colouring.colours,
+                    .chunks = {},
+                    .origin = space.centre,
+                    .scale = space.scale,
+                    .cut = options.cut,
+                    .before_first_use = [particles](const RowChunk& chunk) { check_rows(particles, chunk); }};
+    const std::vector<RowChunk> chunks = chunks_of(particles);
     const auto count = static_cast<std::size_t>(options.parts);
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t first = snapshot.size() * k / count, rows = snapshot.size() * (k + 1) / count - first;
-      parts.emplace_back(std::span(centres).subspan(first, rows), std::span(radii).subspan(first, rows),
-                         std::span(colouring.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first));
+      rows.chunks = within(chunks, particles.size() * k / count, particles.size() * (k + 1) / count);
+      parts.emplace_back(rows, camera);
     }
   }
   Frame(const Frame&) = delete;
@@ -90,11 +111,12 @@ struct Frame {
   static std::uint32_t number(std::size_t row) { return static_cast<std::uint32_t>(row); }
 
   /// All particles but those with a path.
-  void shrink(const Snapshot& snapshot, const Overlay& drawn_among, double share) {
+  void shrink(const ParticleView& particles, const Overlay& drawn_among, double share) {
     std::unordered_set<std::int64_t> full;
     for (const Path& path : drawn_among.paths) full.insert(path.id);
-    for (std::size_t row = 0; row < radii.size(); ++row) {
-      if (full.empty() || !full.contains(snapshot.id[row])) radii[row] *= share;
+    other_radii.assign(particles.radius.begin(), particles.radius.end());
+    for (std::size_t row = 0; row < other_radii.size(); ++row) {
+      if (full.empty() || !full.contains(particles.snapshot->id[row])) other_radii[row] *= share;
     }
   }
 };
@@ -173,8 +195,9 @@ ParticlePainter::ParticlePainter(const PictureOptions& options) : options_(optio
 
 ParticlePainter::~ParticlePainter() = default;
 
-void ParticlePainter::show(const Snapshot& snapshot, const Overlay& overlay, std::optional<Colouring> colouring) {
-  stage_->frame.emplace(snapshot, overlay, std::move(colouring), options_);
+void ParticlePainter::show(const ParticleView& particles, const Overlay& overlay, std::optional<Colouring> colouring) {
+  const Snapshot& snapshot = *particles.snapshot;
+  stage_->frame.emplace(particles, overlay, std::move(colouring), options_);
   const Frame& frame = *stage_->frame;
   stage_->bodies.emplace(frame.camera);
   if (options_.container) {
@@ -196,8 +219,8 @@ Image ParticlePainter::part(const PixelWindow& window) {
   return image;
 }
 
-Image ParticlePainter::paint(const Snapshot& snapshot, const Overlay& overlay) {
-  show(snapshot, overlay);
+Image ParticlePainter::paint(const ParticleView& particles, const Overlay& overlay) {
+  show(particles, overlay);
   return part({0, 0, options_.width, options_.height});
 }
 
@@ -224,8 +247,8 @@ double room_beside(const PictureOptions& options, const Snapshot& snapshot, cons
   return room_beside(options, space, keys_of(options, colouring, overlay, bodies));
 }
 
-Image draw_particles(const Snapshot& snapshot, const PictureOptions& options) {
-  return ParticlePainter(options).paint(snapshot);
+Image draw_particles(const ParticleView& particles, const PictureOptions& options) {
+  return ParticlePainter(options).paint(particles);
 }
 
 }  // namespace packstone::viz

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/snapshot.hpp"
+#include "core/particle_view.hpp"
 #include "viz/camera.hpp"
 #include "viz/colouring.hpp"
 #include "viz/cut_away.hpp"
@@ -62,12 +62,14 @@ class ParticlePainter {
   explicit ParticlePainter(const PictureOptions& options);
   ~ParticlePainter();
 
-  /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by.
-  Image paint(const Snapshot& snapshot, const Overlay& overlay = {});
+  /// The domain alone decides what is in view. Throws InputError when the snapshot lacks what to colour by. What is
+  /// drawn among particles takes those of the view's snapshot.
+  Image paint(const ParticleView& particles, const Overlay& overlay = {});
 
-  /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole. A
-  /// colouring takes the place of the options'.
-  void show(const Snapshot& snapshot, const Overlay& overlay = {}, std::optional<Colouring> colouring = std::nullopt);
+  /// The same in two steps: what is to be seen, then any parts of the picture, byte for byte those of the whole, as
+  /// long as what the view looks at is there. A colouring takes the place of the options'.
+  void show(const ParticleView& particles, const Overlay& overlay = {},
+            std::optional<Colouring> colouring = std::nullopt);
   Image part(const PixelWindow& window);
 
   /// The point [m] of a particle or wall seen at the middle of a pixel of the last picture; nothing on the ground.
@@ -85,6 +87,6 @@ double room_beside(const PictureOptions& options, const Snapshot& snapshot, cons
                    const Overlay& overlay);
 
 /// One picture.
-Image draw_particles(const Snapshot& snapshot, const PictureOptions& options);
+Image draw_particles(const ParticleView& particles, const PictureOptions& options);
 
 }  // namespace packstone::viz

@@ -79,8 +79,8 @@ class SideColumn {
     const SlicePanel& first = panels.front();
     const std::string plane = plane_text(first.plane);
     if (all([&](const SlicePanel& p) { return plane_text(p.plane) == plane; })) add_plane(first.plane);
-    const double time = first.snapshot.time;
-    if (options.time && all([&](const SlicePanel& p) { return p.snapshot.time == time; })) {
+    const double time = first.particles.snapshot->time;
+    if (options.time && all([&](const SlicePanel& p) { return p.particles.snapshot->time == time; })) {
       lines_.push_back(time_text(time));
       tells_time_ = true;
     }
@@ -201,7 +201,7 @@ double outline_width(const std::vector<Disc>& discs, double metres_per_pixel, do
 
 void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent, const PlotFrame& frame,
                 const Colouring& colouring, double metres_per_pixel) {
-  const std::vector<Disc> discs = slice_discs(panel.snapshot, panel.plane);
+  const std::vector<Disc> discs = slice_discs(panel.particles, panel.plane);
   const auto pixel = [&](const InPlane& p) {
     return Point{frame.box.left + (p.u - extent.low.u) / metres_per_pixel,
                  frame.box.bottom - (p.v - extent.low.v) / metres_per_pixel};
@@ -213,7 +213,7 @@ void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent,
   } else {
     drawing.clip(outline);
   }
-  for (const CutLine& line : boundary_cut(panel.snapshot, panel.plane)) {
+  for (const CutLine& line : boundary_cut(*panel.particles.snapshot, panel.plane)) {
     std::vector<Point> points;
     for (const InPlane& p : line) points.push_back(pixel(p));
     if (line.front() == line.back()) points.push_back(points[1]);  // so that the ends meet in a corner
@@ -234,12 +234,12 @@ void draw_panel(Drawing& drawing, const SlicePanel& panel, const Extent& extent,
 Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions& options) {
   const double font = font_size(options.width, options.height) * options.font_scale;
   std::vector<Extent> extents;
-  std::vector<std::reference_wrapper<const Snapshot>> snapshots;
+  std::vector<ParticleView> packings;
   for (const SlicePanel& panel : panels) {
-    extents.emplace_back(panel.snapshot.domain, panel.plane);
-    snapshots.emplace_back(panel.snapshot);
+    extents.emplace_back(panel.particles.snapshot->domain, panel.plane);
+    packings.push_back(panel.particles);
   }
-  const std::vector<Colouring> colourings = colour_together(snapshots, options.color, options.range);
+  const std::vector<Colouring> colourings = colour_together(packings, options.color, options.range);
   const SideColumn column(panels, options, colourings.front(), font);
   const SliceLayout layout = lay_out_panels(panels, extents, options, column.width(), font);
   Drawing drawing{options.width, options.height, {}};
@@ -254,7 +254,7 @@ Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions&
     constexpr double above = 0.6;
     const Box& box = layout.frames[k].box;
     std::string heading = lettered(k, panels[k].title);
-    if (options.time && !column.tells_time()) heading += ", " + time_text(panels[k].snapshot.time);
+    if (options.time && !column.tells_time()) heading += ", " + time_text(panels[k].particles.snapshot->time);
     drawing.text({box.left, box.top - above * font}, heading,
                  {.size = fitting_size(heading, font, layout.heading_room[k], false)});
   }
@@ -262,12 +262,12 @@ Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions&
   return drawing;
 }
 
-Drawing slice_drawing(const Snapshot& snapshot, const SlicePlane& plane, const SliceOptions& options) {
-  return slice_drawing({SlicePanel{snapshot, plane, ""}}, options);
+Drawing slice_drawing(const ParticleView& particles, const SlicePlane& plane, const SliceOptions& options) {
+  return slice_drawing({SlicePanel{particles, plane, ""}}, options);
 }
 
-Image draw_slice(const Snapshot& snapshot, const SlicePlane& plane, const SliceOptions& options) {
-  return draw_image(slice_drawing(snapshot, plane, options), options.supersampling);
+Image draw_slice(const ParticleView& particles, const SlicePlane& plane, const SliceOptions& options) {
+  return draw_image(slice_drawing(particles, plane, options), options.supersampling);
 }
 
 }  // namespace packstone::viz

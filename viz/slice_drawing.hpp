@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/snapshot.hpp"
+#include "core/particle_view.hpp"
 #include "viz/colouring.hpp"
 #include "viz/drawing.hpp"
 #include "viz/image.hpp"
@@ -30,7 +30,7 @@ struct SliceOptions {
 
 /// One slice of a figure.
 struct SlicePanel {
-  const Snapshot& snapshot;
+  ParticleView particles;
   SlicePlane plane;
   std::string title;  ///< over it, after "(a) "; without panels beside it none is drawn
 };
@@ -38,9 +38,9 @@ struct SlicePanel {
 /// The cuts in the domains' outlines, with axes, and one scale bar and legend; for svg_text or save_drawing. Throws
 /// InputError when a plane misses its domain or a snapshot lacks what to colour by.
 Drawing slice_drawing(const std::vector<SlicePanel>& panels, const SliceOptions& options);
-Drawing slice_drawing(const Snapshot& snapshot, const SlicePlane& plane, const SliceOptions& options);
+Drawing slice_drawing(const ParticleView& particles, const SlicePlane& plane, const SliceOptions& options);
 
 /// The same as pixels.
-Image draw_slice(const Snapshot& snapshot, const SlicePlane& plane, const SliceOptions& options);
+Image draw_slice(const ParticleView& particles, const SlicePlane& plane, const SliceOptions& options);
 
 }  // namespace packstone::viz

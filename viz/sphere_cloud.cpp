@@ -3,43 +3,65 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace packstone::viz {
 
-namespace {
-
-/// Of the box about a number of spheres.
-Outline outline_of(std::span<const Vec3> centres, std::span<const double> radii, const Camera& camera) {
-  Vec3 low = centres.front(), high = low;
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    low = low.cwiseMin((centres[i].array() - radii[i]).matrix());
-    high = high.cwiseMax((centres[i].array() + radii[i]).matrix());
-  }
-  return outline_of_box(low, high, camera);
+SphereRows sphere_rows(std::span<const Vec3> centres, std::span<const double> radii, std::span<const Colour> colours) {
+  return {.centres = centres, .radii = radii, .colours = RowColours(colours), .chunks = chunks_of(centres, radii)};
 }
 
-}  // namespace
-
-SphereCloud::SphereCloud(std::span<const Vec3> centres, std::span<const double> radii, std::span<const Colour> colours,
-                         const Camera& camera, std::uint32_t first_number)
-    : centres_(centres), radii_(radii), colours_(colours), camera_(camera), first_number_(first_number) {
-  for (std::size_t first = 0; first < centres.size(); first += rows_a_packet) {
-    const std::size_t rows = std::min(rows_a_packet, centres.size() - first);
-    const Outline outline = outline_of(centres.subspan(first, rows), radii.subspan(first, rows), camera);
-    packets_.push_back({first, first + rows, outline});
+SphereCloud::SphereCloud(SphereRows rows, const Camera& camera, std::uint32_t first_number)
+    : rows_(std::move(rows)), camera_(camera), first_number_(first_number) {
+  for (const RowChunk& chunk : rows_.chunks) {
+    if (chunk.first == chunk.last || is_cut_away(rows_.cut, chunk.box)) continue;
+    chunks_.push_back(
+        {chunk.first, chunk.last, outline_of_box(in_space(chunk.box.min), in_space(chunk.box.max), camera)});
   }
-  sort_by_distance(packets_);
+  sort_by_distance(chunks_);
+}
+
+Outline SphereCloud::outline_of_rows(std::size_t first, std::size_t last) const {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t row = first; row < last; ++row) {
+    low = low.cwiseMin((rows_.centres[row].array() - rows_.radii[row]).matrix());
+    high = high.cwiseMax((rows_.centres[row].array() + rows_.radii[row]).matrix());
+  }
+  return outline_of_box(in_space(low), in_space(high), camera_);
+}
+
+std::span<const Packet> SphereCloud::parts_of(const Packet& packet) const {
+  const bool is_chunk = &packet >= chunks_.data() && &packet < chunks_.data() + chunks_.size();
+  if (!is_chunk) return {};
+  const auto [place, is_new] = opened_.try_emplace(packet.first);
+  std::vector<Packet>& packets = place->second;
+  if (!is_new) return packets;
+  if (rows_.before_first_use) {
+    const auto ends_before = [](const RowChunk& chunk, std::size_t row) { return chunk.last <= row; };
+    rows_.before_first_use(*std::lower_bound(rows_.chunks.begin(), rows_.chunks.end(), packet.first, ends_before));
+  }
+  for (std::size_t first = packet.first; first < packet.last; first += rows_a_packet) {
+    const std::size_t last = std::min(packet.last, first + rows_a_packet);
+    packets.push_back({first, last, outline_of_rows(first, last)});
+  }
+  sort_by_distance(packets);
+  return packets;
 }
 
 template <bool parallel>
 void SphereCloud::find_outlines(const Packet& packet, std::vector<Candidate>& found) const {
   const std::size_t count = packet.last - packet.first;
   std::array<Vec3, rows_a_packet> place;
-  for (std::size_t k = 0; k < count; ++k) place[k] = camera_.seen_from_eye(centres_[packet.first + k]);
+  std::array<double, rows_a_packet> radius;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = packet.first + k;
+    place[k] = camera_.seen_from_eye(in_space(rows_.centres[row]));
+    radius[k] = is_cut_away(rows_.cut, rows_.centres[row]) ? 0 : rows_.radii[row] * rows_.scale;
+  }
   std::array<PixelReach, rows_a_packet> reach;
   const double focal = camera_.focal();
   const Point middle{camera_.centre().x - 0.5, camera_.centre().y - 0.5};
-  const double* const radius = &radii_[packet.first];
 #pragma omp simd
   for (std::size_t k = 0; k < count; ++k) {
     reach[k] = reach_of_sphere<parallel>(place[k].x(), place[k].y(), place[k].z(), radius[k], focal, middle);
@@ -62,7 +84,7 @@ void SphereCloud::find(const Packet& packet, const PixelWindow& window, std::vec
 }
 
 SeenSphere SphereCloud::seen(const Candidate& candidate) const {
-  const Vec3 c = camera_.seen_from_eye(centres_[candidate.row]);
+  const Vec3 c = camera_.seen_from_eye(in_space(rows_.centres[candidate.row]));
   const bool parallel = camera_.parallel();
   const double slope_x = parallel ? 0 : c.x() / c.z(), slope_y = parallel ? 0 : c.y() / c.z();
   const double x = camera_.centre().x + camera_.focal() * (parallel ? c.x() : slope_x) - 0.5;
@@ -75,9 +97,9 @@ SeenSphere SphereCloud::seen(const Candidate& candidate) const {
           .slope_x = static_cast<float>(slope_x),
           .slope_y = static_cast<float>(slope_y),
           .distance = static_cast<float>(c.z()),
-          .radius = static_cast<float>(radii_[candidate.row]),
+          .radius = static_cast<float>(rows_.radii[candidate.row] * rows_.scale),
           .outline = candidate.outline,
-          .colour = packed(colours_[candidate.row]),
+          .colour = packed(rows_.colours[candidate.row]),
           .number = static_cast<std::uint32_t>(first_number_ + candidate.row)};
 }
 

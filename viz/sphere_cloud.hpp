@@ -3,10 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
+#include "core/particle_view.hpp"
 #include "viz/camera.hpp"
+#include "viz/colouring.hpp"
+#include "viz/cut_away.hpp"
 #include "viz/outline.hpp"
 
 namespace packstone::viz {
@@ -23,17 +28,36 @@ struct SeenSphere {
   std::uint32_t number;  ///< where two spheres meet in a pixel, the lower one is seen
 };
 
-/// The spheres of a picture, in packets of rows that stand near each other, as a snapshot's do.
+/// Spheres where they lie, in rows.
+struct SphereRows {
+  std::span<const Vec3> centres;
+  std::span<const double> radii;  ///< of 0 nothing is drawn
+  RowColours colours;
+  std::vector<RowChunk> chunks;  ///< the rows to draw, ascending
+  /// Lengths of the camera's space are (centre - origin) * scale.
+  Vec3 origin = Vec3::Zero();
+  double scale = 1;
+  CutAway cut{};                                            ///< spheres with centres in it are not drawn
+  std::function<void(const RowChunk&)> before_first_use{};  ///< of rows of a chunk
+
+  std::size_t size() const { return centres.size(); }
+};
+
+/// Of spheres in the camera's space, which must outlive the rows; (N) each.
+SphereRows sphere_rows(std::span<const Vec3> centres, std::span<const double> radii, std::span<const Colour> colours);
+
+/// The spheres of a picture, in packets of rows that stand near each other, as a snapshot's do, and these in chunks. Of
+/// a chunk that is not seen no row is looked at.
 class SphereCloud {
  public:
-  /// centres and radii in the camera's space, colours: (N) each; they must outlive the cloud. first_number: of the
-  /// first row, where they are a part of more.
-  SphereCloud(std::span<const Vec3> centres, std::span<const double> radii, std::span<const Colour> colours,
-              const Camera& camera, std::uint32_t first_number = 0);
+  /// What the rows refer to must outlive the cloud. first_number: of row 0.
+  SphereCloud(SphereRows rows, const Camera& camera, std::uint32_t first_number = 0);
 
   const Camera& camera() const { return camera_; }
-  /// The nearest first.
-  const std::vector<Packet>& packets() const { return packets_; }
+  /// Chunks, the nearest first.
+  const std::vector<Packet>& packets() const { return chunks_; }
+  /// Of a chunk, the nearest first; none of a packet. Throws what before_first_use throws.
+  std::span<const Packet> parts_of(const Packet& packet) const;
 
   /// The spheres of a packet that reach into the window, the nearest first, without those that reach nearer to the
   /// viewer than the camera allows.
@@ -41,15 +65,16 @@ class SphereCloud {
   SeenSphere seen(const Candidate& candidate) const;
 
  private:
+  Vec3 in_space(const Vec3& place) const { return (place - rows_.origin) * rows_.scale; }
+  Outline outline_of_rows(std::size_t first, std::size_t last) const;
   template <bool parallel>
   void find_outlines(const Packet& packet, std::vector<Candidate>& found) const;
 
-  std::span<const Vec3> centres_;
-  std::span<const double> radii_;
-  std::span<const Colour> colours_;
+  SphereRows rows_;
   Camera camera_;
   std::uint32_t first_number_;
-  std::vector<Packet> packets_;
+  std::vector<Packet> chunks_;
+  mutable std::unordered_map<std::size_t, std::vector<Packet>> opened_;  // by first row: the packets of a chunk
 };
 
 }  // namespace packstone::viz

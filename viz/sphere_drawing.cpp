@@ -34,9 +34,11 @@ void draw_sphere(PixelLayer& layer, const SeenSphere& sphere, float unit) {
     const float b = (static_cast<float>(row - sphere.row) - sphere.down) * unit;
     // Whole vectors: beyond the sphere nothing is met, beyond the window is room.
     for (int done = 0; done < width; done += lanes) {
-#pragma omp simd
-      for (int k = done; k < done + lanes; ++k) {
-        const float a = (static_cast<float>(offset + k) - right) * unit;
+      float met[lanes], half_chord[lanes], shift[lanes], ray[lanes];
+      std::uint32_t nearer[lanes], any = 0;
+#pragma omp simd reduction(| : any)
+      for (int k = 0; k < lanes; ++k) {
+        const float a = (static_cast<float>(offset + done + k) - right) * unit;
         const float square = a * a + b * b;
         const float lean = parallel ? 0.0F : a * u + b * v, turn = parallel ? 0.0F : u * b - v * a;
         const float per_length = parallel ? 1.0F : 1 / (along + 2 * lean + square);
@@ -44,19 +46,27 @@ void draw_sphere(PixelLayer& layer, const SeenSphere& sphere, float unit) {
         const float before = std::sqrt(greater(inside, 0.0F) * per_length);
         const float s = parallel ? far : far * (along + lean) * per_length;
         const float t = s - before;
-        const float seen_distance = distance[k];
-        const std::uint32_t seen_number = number[k], seen_colour = colour[k];
-        const bool first_of_equals = (t == seen_distance) & (own_number < seen_number);
-        const bool nearer = (inside > 0) & ((t < seen_distance) | first_of_equals);
+        const float seen_distance = distance[done + k];
+        const bool first_of_equals = (t == seen_distance) & (own_number < number[done + k]);
+        nearer[k] = (inside > 0) & ((t < seen_distance) | first_of_equals) ? 1 : 0;
+        any |= nearer[k];
+        met[k] = t;
+        half_chord[k] = before;
+        ray[k] = s;
+        shift[k] = parallel ? 0.0F : far * (lean + square) * per_length;
+      }
+      if (any == 0) continue;
+#pragma omp simd
+      for (int k = 0; k < lanes; ++k) {
+        const float a = (static_cast<float>(offset + done + k) - right) * unit;
         // The point met, from the centre: -g d - (c - s d) with c - s d = shift d0 - s (a, b, 0).
-        const float shift = parallel ? 0.0F : far * (lean + square) * per_length;
-        const float nx = parallel ? a : s * a - before * (u + a) - shift * u;
-        const float ny = parallel ? b : s * b - before * (v + b) - shift * v;
-        const float nz = -before - shift;
+        const float nx = parallel ? a : ray[k] * a - half_chord[k] * (u + a) - shift[k] * u;
+        const float ny = parallel ? b : ray[k] * b - half_chord[k] * (v + b) - shift[k] * v;
+        const float nz = -half_chord[k] - shift[k];
         const std::uint32_t shade = lit(red, green, blue, nx * per_radius, ny * per_radius, nz * per_radius);
-        distance[k] = nearer ? t : seen_distance;
-        colour[k] = nearer ? shade : seen_colour;
-        number[k] = nearer ? own_number : seen_number;
+        distance[done + k] = nearer[k] != 0 ? met[k] : distance[done + k];
+        colour[done + k] = nearer[k] != 0 ? shade : colour[done + k];
+        number[done + k] = nearer[k] != 0 ? own_number : number[done + k];
       }
     }
   }

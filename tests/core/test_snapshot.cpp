@@ -232,33 +232,6 @@ TEST_CASE("a region holds just the spheres that touch it") {
   CHECK(part.fields.at("velocity").values.size() == 3 * expected);
 }
 
-TEST_CASE("of a file just the chunks, columns and the field that are wanted are read") {
-  const testing::TemporaryFolder folder;
-  Snapshot s = random_snapshot(20000);
-  s.fields["heat"] = {1, "J", std::vector<double>(s.size(), 7)};
-  write_snapshot(folder / "a.vtkhdf", s);
-  const Snapshot whole = read_snapshot(folder / "a.vtkhdf");
-  ReadOptions options{.region = {}, .contacts = false, .field = "heat", .ids = false, .types = false};
-  std::size_t asked = 0;
-  options.wants_chunk = [&](const Region&) { return asked++ % 2 == 1; };  // the second, the fourth
-  const Snapshot part = read_snapshot(folder / "a.vtkhdf", options);
-  constexpr std::size_t chunk = 4096;
-  CHECK(asked == 5);
-  REQUIRE(part.size() == 2 * chunk);
-  CHECK(part.position[0] == whole.position[chunk]);
-  CHECK(part.position[chunk] == whole.position[3 * chunk]);
-  CHECK(part.radius[2 * chunk - 1] == whole.radius[4 * chunk - 1]);
-  CHECK(part.id.empty());
-  CHECK(part.type.empty());
-  CHECK(part.material.size() == part.size());
-  CHECK(part.fields.size() == 1);
-  CHECK(part.fields.at("heat").values.size() == part.size());
-  options.wants_chunk = [](const Region&) { return false; };
-  CHECK(read_snapshot(folder / "a.vtkhdf", options).size() == 0);
-  options.field = "cold";  // all are read, for a message to name them
-  CHECK(read_snapshot(folder / "a.vtkhdf", options).fields.size() == whole.fields.size());
-}
-
 TEST_CASE("an empty snapshot is a snapshot") {
   const testing::TemporaryFolder folder;
   Snapshot s = random_snapshot(0);

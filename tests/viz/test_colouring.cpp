@@ -15,12 +15,13 @@ TEST_CASE("whole numbers of a field are categories where they are asked for") {
   for (int i = 0; i < 4; ++i) testing::add_particle(snapshot, Vec3::Constant(0.2 * i + 0.1), 0.05, 0);
   snapshot.fields["cluster"] = {1, "", {0, 9, -1, 9}};
   const Colouring colouring = colour_particles(snapshot, "category:cluster", {});
-  CHECK(colouring.colours == std::vector<Colour>{category_colour(0), category_colour(9), no_value, category_colour(9)});
+  const Colour expected[] = {category_colour(0), category_colour(9), no_value, category_colour(9)};
+  REQUIRE(colouring.colours.size() == std::size(expected));
+  for (std::size_t row = 0; row < std::size(expected); ++row) CHECK(colouring.colours[row] == expected[row]);
   REQUIRE(colouring.entries.size() == 2);
   CHECK(colouring.entries[1].name == "9");
   CHECK_FALSE(colouring.range);
   CHECK(colours_categories("category:cluster"));
-  CHECK(colour_needs_fields("category:cluster"));
   CHECK_THROWS_AS(colour_particles(snapshot, "category:cluter", {}), InputError);
 }
 
@@ -29,8 +30,8 @@ TEST_CASE("categories take the palette and name the groups") {
   const Colouring colouring = colour_particles(snapshot, "type", std::nullopt);
   REQUIRE(colouring.entries.size() == 2);
   CHECK(colouring.entries[0].name == "light");
-  CHECK(colouring.colours.front() == category_colour(1));
-  CHECK(colouring.colours.back() == category_colour(0));
+  CHECK(colouring.colours[0] == category_colour(1));
+  CHECK(colouring.colours[snapshot.size() - 1] == category_colour(0));
   CHECK(category_colour(0) != category_colour(1));
 }
 
@@ -43,16 +44,16 @@ TEST_CASE("a vector field counts by its magnitude, over its own range or the giv
   CHECK(value_range(snapshot, "velocity") == range);
   const Colouring own = colour_particles(snapshot, "speed", std::nullopt);
   CHECK(own.title == "speed [m/s]");
-  CHECK(own.colours.front() == sequential_colour(0));
-  CHECK(own.colours.back() == sequential_colour(1));
+  CHECK(own.colours[0] == sequential_colour(0));
+  CHECK(own.colours[snapshot.size() - 1] == sequential_colour(1));
   const Colouring wide = colour_particles(snapshot, "speed", ValueRange{0, 6});
-  CHECK(wide.colours.back() == sequential_colour(0.5));
+  CHECK(wide.colours[snapshot.size() - 1] == sequential_colour(0.5));
 }
 
 TEST_CASE("a value that is no number has a colour of its own") {
   Snapshot snapshot = testing::single_sphere(0.1);
   snapshot.fields["stress"] = {1, "Pa", {std::nan("")}};
-  CHECK(colour_particles(snapshot, "stress", std::nullopt).colours.front() == no_value);
+  CHECK(colour_particles(snapshot, "stress", std::nullopt).colours[0] == no_value);
 }
 
 TEST_CASE("a missing field is refused with the names there are") {

@@ -123,7 +123,7 @@ TEST_CASE("a tube is lit as its surface stands") {
   const std::vector<Colour> colour = {{180, 180, 180}};
   PixelLayer ball(camera);
   ball.reset(window);
-  draw(ball, SphereCloud(centre, radius, colour, camera));
+  draw(ball, SphereCloud(sphere_rows(centre, radius, colour), camera));
   int compared = 0;
   for (int row = 0; row < window.height; ++row) {
     if (ball.numbers(row)[100] == PixelLayer::nothing) continue;
@@ -144,7 +144,7 @@ TEST_CASE("a window and hidden tubes left out change no bit, among spheres") {
   const PixelWindow whole{0, 0, 251, 187};
   for (const View view : {View::iso, View::left}) {
     const Camera camera = tube_camera(view, whole);
-    const SphereCloud spheres(centres, radii, colours, camera);
+    const SphereCloud spheres(sphere_rows(centres, radii, colours), camera);
     const FrustumCloud tubes(frusta, camera, 2);
     PixelLayer plain(camera);
     plain.reset(whole);

@@ -20,6 +20,15 @@ struct Spheres {
   std::vector<Vec3> centres;
   std::vector<double> radii;
   std::vector<Colour> colours;
+
+  SphereRows rows() const { return sphere_rows(centres, radii, colours); }
+  /// Rows [first, last) of one chunk.
+  SphereRows rows(std::size_t first, std::size_t last) const {
+    SphereRows part = rows();
+    REQUIRE(part.chunks.size() == 1);
+    part.chunks = {{first, last, part.chunks[0].box}};
+    return part;
+  }
 };
 
 /// At random in the unit box about the origin, radii over two decades.
@@ -43,7 +52,7 @@ Camera camera_of(View view, const PixelWindow& window) {
 PixelLayer drawn(const Spheres& spheres, const Camera& camera, const PixelWindow& window, bool cull = true) {
   PixelLayer layer(camera);
   layer.reset(window);
-  draw(layer, SphereCloud(spheres.centres, spheres.radii, spheres.colours, camera), cull);
+  draw(layer, SphereCloud(spheres.rows(), camera), cull);
   return layer;
 }
 
@@ -176,9 +185,7 @@ TEST_CASE("a window, a part of the spheres and hidden spheres left out change no
       const std::size_t rows = first == 0 ? 700 : first == 700 ? 1300 : 1000;
       PixelLayer part(camera);
       part.reset(whole);
-      draw(part,
-           SphereCloud(std::span(spheres.centres).subspan(first, rows), std::span(spheres.radii).subspan(first, rows),
-                       std::span(spheres.colours).subspan(first, rows), camera, static_cast<std::uint32_t>(first)));
+      draw(part, SphereCloud(spheres.rows(first, first + rows), camera));
       merged.merge(part);
     }
     for (int row = 0; row < whole.height; ++row) {
@@ -194,10 +201,7 @@ TEST_CASE("of spheres in one place the first one is seen, whatever is drawn firs
   const Camera camera = camera_of(View::iso, window);
   PixelLayer layer(camera);
   layer.reset(window);
-  for (const std::size_t row : {1, 0}) {
-    draw(layer, SphereCloud(std::span(twins.centres).subspan(row, 1), std::span(twins.radii).subspan(row, 1),
-                            std::span(twins.colours).subspan(row, 1), camera, static_cast<std::uint32_t>(row)));
-  }
+  for (const std::size_t row : {1, 0}) draw(layer, SphereCloud(twins.rows(row, row + 1), camera));
   CHECK(layer.numbers(32)[32] == 0);
   CHECK((layer.colours(32)[32] & 0xff0000) < (layer.colours(32)[32] & 0xff) << 16);
 }

@@ -23,7 +23,7 @@ struct Result {
   pid_t process;
 };
 
-UnitResult bytes_of(const Result& result) {
+UnitResult unit_result(const Result& result) {
   UnitResult bytes(sizeof result);
   std::memcpy(bytes.data(), &result, sizeof result);
   return bytes;
@@ -42,7 +42,7 @@ WorkInUnits squares(std::size_t count, const std::function<void(std::size_t)>& b
   work.prepare = [before] {
     return [before](std::size_t unit) {
       before(unit);
-      return bytes_of({unit * unit, getpid()});
+      return unit_result({unit * unit, getpid()});
     };
   };
   work.take = [&taken](std::size_t unit, const UnitResult& bytes) {

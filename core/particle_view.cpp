@@ -1,0 +1,94 @@
+#include "core/particle_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace packstone {
+
+namespace {
+
+/// Of all points of spheres.
+Region box_of(std::span<const Vec3> centres, std::span<const double> radii) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t row = 0; row < centres.size(); ++row) {
+    low = low.cwiseMin((centres[row].array() - radii[row]).matrix());
+    high = high.cwiseMax((centres[row].array() + radii[row]).matrix());
+  }
+  return {low, high};
+}
+
+}  // namespace
+
+ParticleView::ParticleView(const Snapshot& whole)
+    : snapshot(&whole), position(whole.position), radius(whole.radius), type(whole.type), material(whole.material) {
+  for (const auto& [name, field] : whole.fields) {
+    fields.emplace(name, FieldColumn{field.components, field.unit, field.values});
+  }
+}
+
+std::vector<RowChunk> chunks_of(std::span<const Vec3> centres, std::span<const double> radii) {
+  std::vector<RowChunk> chunks;
+  for (std::size_t first = 0; first < centres.size(); first += rows_a_chunk) {
+    const std::size_t rows = std::min(rows_a_chunk, centres.size() - first);
+    chunks.push_back({first, first + rows, box_of(centres.subspan(first, rows), radii.subspan(first, rows))});
+  }
+  return chunks;
+}
+
+std::vector<RowChunk> chunks_of(const ParticleView& particles) {
+  return particles.chunks.empty() ? chunks_of(particles.position, particles.radius) : particles.chunks;
+}
+
+namespace {
+
+/// Whether all rows of a chunk are what they should be; compares of vectors, without a branch a row.
+bool all_inside(const ParticleView& particles, const RowChunk& chunk) {
+  const double* const place = particles.position[chunk.first].data();
+  const double* const radius = &particles.radius[chunk.first];
+  const double* const low = chunk.box.min.data();
+  const double* const high = chunk.box.max.data();
+  bool good = true;
+#pragma omp simd reduction(& : good)
+  for (std::size_t k = 0; k < chunk.last - chunk.first; ++k) {
+    const double r = radius[k];
+    good &= r >= 0 && r < HUGE_VAL;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double p = place[3 * k + axis];
+      good &= (p - r >= low[axis]) & (p + r <= high[axis]);
+    }
+  }
+  return good;
+}
+
+bool all_below(std::span<const std::int32_t> values, std::size_t count) {
+  bool good = true;
+#pragma omp simd reduction(& : good)
+  for (std::size_t k = 0; k < values.size(); ++k) good &= static_cast<std::uint32_t>(values[k]) < count;
+  return good;
+}
+
+}  // namespace
+
+void check_rows(const ParticleView& particles, const RowChunk& chunk) {
+  if (particles.unchecked_file.empty()) return;
+  const auto refuse = [&](const char* what) {
+    throw InputError(fmt::format("{}: rows {} to {}: {}", particles.unchecked_file, chunk.first, chunk.last - 1, what));
+  };
+  const std::size_t rows = chunk.last - chunk.first;
+  if (rows > 0 && !all_inside(particles, chunk)) {
+    refuse("a position is not a number, a radius is negative, or a sphere is not in the box of its chunk");
+  }
+  if (!all_below(particles.type.subspan(chunk.first, rows), particles.snapshot->groups.size())) {
+    refuse("PointData/type refers to a group that is not in /scene");
+  }
+  if (!all_below(particles.material.subspan(chunk.first, rows), particles.snapshot->material_names.size())) {
+    refuse("PointData/material refers to a material that is not in /scene");
+  }
+}
+
+}  // namespace packstone
