@@ -37,6 +37,8 @@ viz::PictureOptions picture_options(const RenderCall& call, const std::vector<Ru
   picture.ground = ground_named(call.picture.ground);
   picture.occlusion = call.occlusion;
   picture.cut = viz::cut_from_text(call.cut);
+  picture.cut_through = call.cut_through;
+  if (call.cut_through && picture.cut.empty()) throw InputError("--cut-through: name the planes with --cut");
   picture.parts = call.parts;
   take_overlay(call.overlay, picture);
   return picture;
@@ -88,6 +90,7 @@ void add_render(Program& program) {
   verb.add("--columns", call->columns, "Panels side by side [up to three]").between(1, most_columns);
   add_overlay_options(verb, call->overlay);
   verb.add("--cut", call->cut, "Leave out what has its middle where all of these hold: x>0.3 or \"x>300 mm,y<0.2\"");
+  verb.add_flag("--cut-through", call->cut_through, "Cut particles at the planes of --cut, with flat faces there");
   verb.add("--occlusion", call->occlusion, "How dark hollows between particles are drawn, 0 to 1")
       .between(0.0, 1.0)
       .shows_default();

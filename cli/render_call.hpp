@@ -27,6 +27,7 @@ struct RenderCall {
   std::string at = "last";
   std::string frames;
   std::string cut;
+  bool cut_through = false;
   double occlusion = 0;
   std::string tiles;
   int parts = 1;

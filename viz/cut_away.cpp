@@ -45,4 +45,15 @@ bool is_cut_away(const CutAway& cut, const Region& box) {
   return is_cut_away(cut, box.min) && is_cut_away(cut, box.max);  // the planes are across the axes
 }
 
+// Beside an edge of a corner that it does not reach, a sphere may count as cut in part; its rays then find it whole.
+CutShare cut_share(const CutAway& cut, const Vec3& centre, double radius) {
+  CutShare share = cut.empty() ? CutShare::none : CutShare::all;
+  for (const HalfSpace& half : cut) {
+    const double inside = (half.above ? 1 : -1) * (centre[half.axis] - half.place);
+    if (inside <= -radius) return CutShare::none;
+    if (inside < radius) share = CutShare::part;
+  }
+  return share;
+}
+
 }  // namespace packstone::viz

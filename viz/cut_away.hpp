@@ -29,4 +29,8 @@ bool is_cut_away(const CutAway& cut, const Vec3& centre);
 /// Whether all particles with their centres in the box are left out.
 bool is_cut_away(const CutAway& cut, const Region& box);
 
+/// How much of a sphere lies in what is cut away.
+enum class CutShare { none, part, all };
+CutShare cut_share(const CutAway& cut, const Vec3& centre, double radius);
+
 }  // namespace packstone::viz

@@ -96,6 +96,7 @@ struct Frame {
                     .origin = space.centre,
                     .scale = space.scale,
                     .cut = options.cut,
+                    .cut_through = options.cut_through,
                     .before_first_use = [particles](const RowChunk& chunk) { check_rows(particles, chunk); }};
     const std::vector<RowChunk> chunks = chunks_of(particles);
     const auto count = static_cast<std::size_t>(options.parts);

@@ -42,10 +42,11 @@ struct PictureOptions {
   bool legend = true;
   bool time = true;
   bool container = true;
-  bool scale = true;     ///< lengths of the box's edges (iso), or a scale bar
-  bool axes = true;      ///< directions of x, y, z
-  double occlusion = 0;  ///< 0 to 1: how dark hollows between particles are
-  CutAway cut;           ///< particles with centres in it are left out, and what is drawn among them
+  bool scale = true;         ///< lengths of the box's edges (iso), or a scale bar
+  bool axes = true;          ///< directions of x, y, z
+  double occlusion = 0;      ///< 0 to 1: how dark hollows between particles are
+  CutAway cut;               ///< particles with centres in it are left out, and what is drawn among them
+  bool cut_through = false;  ///< particles lose only what lies in the cut, and show flat faces there
   Shown shown = Shown::all;
   OverlayLook look;
   bool cull = true;  ///< leaves out hidden particles first: the same picture, faster

@@ -22,8 +22,8 @@ void check_plane(const Domain& domain, const SlicePlane& plane);
 
 /// All discs that reach into the domain, the periodic images included, so that the parts inside the domain add up to
 /// the area cut; across an axis exactly one image of each disc has its centre in the domain along the periodic axes.
-/// Of chunks of rows that the plane misses none is looked at. Throws InputError when the plane misses the domain, and as
-/// check_rows does.
+/// Of chunks of rows that the plane misses none is looked at. Throws InputError when the plane misses the domain, and
+/// as check_rows does.
 std::vector<Disc> slice_discs(const ParticleView& particles, const SlicePlane& plane);
 
 }  // namespace packstone::viz

@@ -57,7 +57,7 @@ void SphereCloud::find_outlines(const Packet& packet, std::vector<Candidate>& fo
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t row = packet.first + k;
     place[k] = camera_.seen_from_eye(in_space(rows_.centres[row]));
-    radius[k] = is_cut_away(rows_.cut, rows_.centres[row]) ? 0 : rows_.radii[row] * rows_.scale;
+    radius[k] = is_left_out(row) ? 0 : rows_.radii[row] * rows_.scale;
   }
   std::array<PixelReach, rows_a_packet> reach;
   const double focal = camera_.focal();
@@ -84,7 +84,7 @@ void SphereCloud::find(const Packet& packet, const PixelWindow& window, std::vec
 }
 
 SeenSphere SphereCloud::seen(const Candidate& candidate) const {
-  const Vec3 c = camera_.seen_from_eye(in_space(rows_.centres[candidate.row]));
+  const Vec3 c = centre_seen(candidate);
   const bool parallel = camera_.parallel();
   const double slope_x = parallel ? 0 : c.x() / c.z(), slope_y = parallel ? 0 : c.y() / c.z();
   const double x = camera_.centre().x + camera_.focal() * (parallel ? c.x() : slope_x) - 0.5;
@@ -97,7 +97,7 @@ SeenSphere SphereCloud::seen(const Candidate& candidate) const {
           .slope_x = static_cast<float>(slope_x),
           .slope_y = static_cast<float>(slope_y),
           .distance = static_cast<float>(c.z()),
-          .radius = static_cast<float>(rows_.radii[candidate.row] * rows_.scale),
+          .radius = static_cast<float>(radius(candidate)),
           .outline = candidate.outline,
           .colour = packed(rows_.colours[candidate.row]),
           .number = static_cast<std::uint32_t>(first_number_ + candidate.row)};

@@ -12,6 +12,7 @@
 #include "viz/camera.hpp"
 #include "viz/colouring.hpp"
 #include "viz/cut_away.hpp"
+#include "viz/cut_rays.hpp"
 #include "viz/outline.hpp"
 
 namespace packstone::viz {
@@ -38,6 +39,7 @@ struct SphereRows {
   Vec3 origin = Vec3::Zero();
   double scale = 1;
   CutAway cut{};                                            ///< spheres with centres in it are not drawn
+  bool cut_through = false;                                 ///< instead, only what lies in it is not
   std::function<void(const RowChunk&)> before_first_use{};  ///< of rows of a chunk
 
   std::size_t size() const { return centres.size(); }
@@ -64,7 +66,22 @@ class SphereCloud {
   void find(const Packet& packet, const PixelWindow& window, std::vector<Candidate>& found) const;
   SeenSphere seen(const Candidate& candidate) const;
 
+  /// Whether a sphere shows a face of the cut, and what rays cross of that.
+  bool shows_cut(const Candidate& candidate) const {
+    return rows_.cut_through && share_cut(candidate.row) == CutShare::part;
+  }
+  CutRays cut_rays() const { return {rows_.cut, rows_.origin, rows_.scale, camera_}; }
+  /// Of the camera's space, as Camera::seen_from_eye.
+  Vec3 centre_seen(const Candidate& candidate) const {
+    return camera_.seen_from_eye(in_space(rows_.centres[candidate.row]));
+  }
+  double radius(const Candidate& candidate) const { return rows_.radii[candidate.row] * rows_.scale; }
+
  private:
+  CutShare share_cut(std::size_t row) const { return cut_share(rows_.cut, rows_.centres[row], rows_.radii[row]); }
+  bool is_left_out(std::size_t row) const {
+    return rows_.cut_through ? share_cut(row) == CutShare::all : is_cut_away(rows_.cut, rows_.centres[row]);
+  }
   Vec3 in_space(const Vec3& place) const { return (place - rows_.origin) * rows_.scale; }
   Outline outline_of_rows(std::size_t first, std::size_t last) const;
   template <bool parallel>

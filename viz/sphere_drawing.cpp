@@ -72,12 +72,57 @@ void draw_sphere(PixelLayer& layer, const SeenSphere& sphere, float unit) {
   }
 }
 
+/// Faces of the cut are lit as if they turned to the viewer, so that their colours can be read, but not all alike.
+Vec3 lit_face(const Vec3& normal) {
+  constexpr double turned = 2;
+  return (normal - turned * Vec3::UnitZ()).normalized();
+}
+
+/// A sphere that is cut through, pixel by pixel: where its ray enters it in what is cut away, it is met where that
+/// ends.
+template <bool parallel>
+void draw_cut_sphere(PixelLayer& layer, const SphereCloud& cloud, const Candidate& candidate, const CutRays& rays) {
+  const SeenSphere sphere = cloud.seen(candidate);
+  const Vec3 c = cloud.centre_seen(candidate);
+  const double r = cloud.radius(candidate), unit = 1 / cloud.camera().focal();
+  const auto tone = [&](int place) { return static_cast<float>(sphere.colour >> place & 0xff); };
+  for (int row = sphere.outline.top; row < sphere.outline.below; ++row) {
+    for (int column = sphere.outline.left; column < sphere.outline.after_right; ++column) {
+      // The ray is start + t way; s is the t of its point nearest to the centre.
+      const double x = (column + 0.5 - cloud.camera().centre().x) * unit;
+      const double y = (row + 0.5 - cloud.camera().centre().y) * unit;
+      const Vec3 start = parallel ? Vec3(x, y, 0) : Vec3::Zero(), way = parallel ? Vec3(0, 0, 1) : Vec3(x, y, 1);
+      const double s = (c - start).dot(way) / way.squaredNorm();
+      const double inside = r * r - (start + s * way - c).squaredNorm();
+      if (inside <= 0) continue;
+      const double half_chord = std::sqrt(inside / way.squaredNorm());
+      const CutSpan cut = rays.span(row, column);
+      double t = s - half_chord;
+      const bool on_face = cut.from < t && t < cut.to;
+      if (on_face) t = cut.to;
+      if (on_face && t >= s + half_chord) continue;
+      const auto distance = static_cast<float>(t);
+      const PixelRun run = layer.run(row, column);
+      if (distance > *run.distance || (distance == *run.distance && sphere.number > *run.number)) continue;
+      const Vec3 normal = on_face ? lit_face(cut.normal) : Vec3((start + t * way - c) / r);
+      *run.distance = distance;
+      *run.number = sphere.number;
+      *run.colour = lit(tone(0), tone(8), tone(16), static_cast<float>(normal.x()), static_cast<float>(normal.y()),
+                        static_cast<float>(normal.z()));
+    }
+  }
+}
+
 }  // namespace
 
 void draw(PixelLayer& layer, const SphereCloud& cloud, bool cull) {
+  const CutRays rays = cloud.cut_rays();
   const auto unit = static_cast<float>(1 / cloud.camera().focal());
   draw_visible(layer, cloud, cull, [&](const Candidate& candidate) {
-    if (cloud.camera().parallel()) {
+    if (cloud.shows_cut(candidate)) {
+      const auto draw_it = cloud.camera().parallel() ? draw_cut_sphere<true> : draw_cut_sphere<false>;
+      draw_it(layer, cloud, candidate, rays);
+    } else if (cloud.camera().parallel()) {
       draw_sphere<true>(layer, cloud.seen(candidate), unit);
     } else {
       draw_sphere<false>(layer, cloud.seen(candidate), unit);
