@@ -46,23 +46,22 @@ std::vector<RowChunk> chunks_of(const ParticleView& particles) {
 
 namespace {
 
-/// Whether all rows of a chunk are what they should be; compares of vectors, without a branch a row.
+/// Whether all spheres of a chunk are finite and in its box, in sums and maxima that vectors can make.
 bool all_inside(const ParticleView& particles, const RowChunk& chunk) {
   const double* const place = particles.position[chunk.first].data();
   const double* const radius = &particles.radius[chunk.first];
-  const double* const low = chunk.box.min.data();
-  const double* const high = chunk.box.max.data();
-  bool good = true;
-#pragma omp simd reduction(& : good)
+  const Vec3 low = chunk.box.min, high = chunk.box.max;
+  const auto larger = [](double a, double b) { return a < b ? b : a; };
+  double beyond = 0, poison = 0;  // the latter is 0, or not a number where anything is not finite
+#pragma omp simd reduction(max : beyond) reduction(+ : poison)
   for (std::size_t k = 0; k < chunk.last - chunk.first; ++k) {
-    const double r = radius[k];
-    good &= r >= 0 && r < HUGE_VAL;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double p = place[3 * k + axis];
-      good &= (p - r >= low[axis]) & (p + r <= high[axis]);
-    }
+    const double x = place[3 * k], y = place[3 * k + 1], z = place[3 * k + 2], r = radius[k];
+    const double below = larger(larger(low.x() - (x - r), low.y() - (y - r)), low.z() - (z - r));
+    const double above = larger(larger(x + r - high.x(), y + r - high.y()), z + r - high.z());
+    beyond = larger(beyond, larger(larger(below, above), -r));
+    poison += 0 * (x + y + z + r);
   }
-  return good;
+  return beyond <= 0 && poison == 0;
 }
 
 bool all_below(std::span<const std::int32_t> values, std::size_t count) {

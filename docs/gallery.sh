@@ -18,7 +18,7 @@ run 01_density_segregation
 run 05_funnel_discharge
 run 09_piston
 run 10_heap
-draw 01_density_segregation bed --preset paper --cut "x>0.3,y<0.3"
+draw 01_density_segregation bed --preset paper --cut "x>0.3,y<0.3" --cut-through
 snapshots=$folder/01_density_segregation/snapshots
 "$packstone" render "$snapshots/snapshot_000010.vtkhdf" "$snapshots/snapshot_000025.vtkhdf" \
   "$snapshots/snapshot_000150.vtkhdf" --titles "grown,falling,at rest" --occlusion 0.7 --size 1200x520 --quiet \

@@ -10,7 +10,8 @@ namespace packstone::viz {
 
 namespace {
 
-constexpr int lanes = PixelLayer::room;  // rows are drawn in so many pixels at a time
+// Rows are drawn in so many pixels at a time; those of small spheres in fewer.
+constexpr int wide = PixelLayer::room, narrow = wide / 2;
 
 // In the camera's axes x to the right, y down, z away from the viewer: the centre is c = distance d0 with
 // d0 = (u, v, 1) = (slope_x, slope_y, 1), the ray of a pixel d = d0 + (a, b, 0). The point of the ray nearest to the
@@ -18,7 +19,7 @@ constexpr int lanes = PixelLayer::room;  // rows are drawn in so many pixels at 
 //   s = distance (d . d0) / d^2,   |c - s d|^2 = distance^2 |d0 x d|^2 / d^2,   d0 x d = (-b, a, u b - v a),
 // and the sphere is met g = sqrt((r^2 - |c - s d|^2) / d^2) before it. Nothing large is subtracted from its like, so
 // single precision holds for small spheres far away.
-template <bool parallel>
+template <bool parallel, int lanes>
 void draw_sphere(PixelLayer& layer, const SeenSphere& sphere, float unit) {
   const float u = sphere.slope_x, v = sphere.slope_y, far = sphere.distance, r = sphere.radius;
   const float along = parallel ? 1.0F : u * u + v * v + 1.0F;
@@ -118,15 +119,16 @@ void draw_cut_sphere(PixelLayer& layer, const SphereCloud& cloud, const Candidat
 void draw(PixelLayer& layer, const SphereCloud& cloud, bool cull) {
   const CutRays rays = cloud.cut_rays();
   const auto unit = static_cast<float>(1 / cloud.camera().focal());
+  const bool parallel = cloud.camera().parallel();
   draw_visible(layer, cloud, cull, [&](const Candidate& candidate) {
     if (cloud.shows_cut(candidate)) {
-      const auto draw_it = cloud.camera().parallel() ? draw_cut_sphere<true> : draw_cut_sphere<false>;
-      draw_it(layer, cloud, candidate, rays);
-    } else if (cloud.camera().parallel()) {
-      draw_sphere<true>(layer, cloud.seen(candidate), unit);
-    } else {
-      draw_sphere<false>(layer, cloud.seen(candidate), unit);
+      (parallel ? draw_cut_sphere<true> : draw_cut_sphere<false>)(layer, cloud, candidate, rays);
+      return;
     }
+    const bool small = candidate.outline.after_right - candidate.outline.left <= narrow;
+    const auto draw_it = parallel ? (small ? draw_sphere<true, narrow> : draw_sphere<true, wide>)
+                                  : (small ? draw_sphere<false, narrow> : draw_sphere<false, wide>);
+    draw_it(layer, cloud.seen(candidate), unit);
   });
 }
 
