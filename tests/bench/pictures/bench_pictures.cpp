@@ -1,9 +1,12 @@
-// Time a picture of a snapshot takes: packstone's spheres beside VTK's two ways, in one run, each with reading back and
-// with the same PNG writer. bench_pictures SNAPSHOT [WIDTH HEIGHT [FRAMES]]
+// Time a picture of a snapshot takes: packstone's spheres, in one process and in one a core, beside VTK's two ways,
+// which use all cores, in one run, each with reading back and with the same PNG writer. bench_pictures SNAPSHOT [WIDTH
+// HEIGHT [FRAMES]]
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
+#include <memory>
+#include <thread>
 
 #include <fmt/format.h>
 #include <vtkActor.h>
@@ -20,12 +23,13 @@
 #include <vtkSphereSource.h>
 
 #include "core/error.hpp"
-#include "core/snapshot.hpp"
+#include "core/open_snapshot.hpp"
 #include "tests/temporary_folder.hpp"
 #include "viz/annotation.hpp"
 #include "viz/offscreen.hpp"
 #include "viz/particle_scene.hpp"
 #include "viz/png.hpp"
+#include "viz/workers.hpp"
 
 namespace {
 
@@ -45,16 +49,16 @@ double median_seconds(int frames, const std::function<void()>& frame) {
 }
 
 /// The spheres as points of VTK, in unit space, with radii and vertices.
-vtkNew<vtkPolyData> points_of(const Snapshot& snapshot, const viz::UnitSpace& space) {
+vtkNew<vtkPolyData> points_of(const ParticleView& particles, const viz::UnitSpace& space) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> radii;
   vtkNew<vtkCellArray> vertices;
   radii->SetName(radius_array);
-  for (std::size_t row = 0; row < snapshot.size(); ++row) {
-    const Vec3 p = (snapshot.position[row] - space.centre) * space.scale;
+  for (std::size_t row = 0; row < particles.size(); ++row) {
+    const Vec3 p = (particles.position[row] - space.centre) * space.scale;
     const vtkIdType id = points->InsertNextPoint(p.data());
-    radii->InsertNextValue(static_cast<float>(snapshot.radius[row] * space.scale));
+    radii->InsertNextValue(static_cast<float>(particles.radius[row] * space.scale));
     vertices->InsertNextCell(1, &id);
   }
   data->SetPoints(points);
@@ -84,29 +88,54 @@ double time_vtk(vtkMapper* mapper, const viz::Camera& camera, const viz::Picture
   });
 }
 
-void compare(const Snapshot& snapshot, viz::PictureOptions options, int frames) {
+/// Seconds a frame of many that worker processes draw anew and write.
+double time_workers(const ParticleView& particles, const viz::PictureOptions& options, int workers, int frames,
+                    const testing::TemporaryFolder& folder) {
+  const auto prepare = [&] {
+    const auto painter = std::make_shared<viz::ParticlePainter>(options);
+    return [&, painter](std::size_t frame) {
+      viz::write_png(folder / fmt::format("{}.png", frame), painter->paint(particles));
+      return viz::UnitResult{};
+    };
+  };
+  constexpr int rounds = 5;
+  const int count = rounds * frames;
+  const auto start = std::chrono::steady_clock::now();
+  viz::do_units(
+      {.count = static_cast<std::size_t>(count), .prepare = prepare, .take = [](std::size_t, viz::UnitResult) {}},
+      workers);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count;
+}
+
+void compare(const std::filesystem::path& path, viz::PictureOptions options, int frames) {
+  const OpenSnapshot open(path);
+  const ParticleView& particles = open.view();
   const testing::TemporaryFolder folder;
   const auto file = folder / "frame.png";
   options.legend = options.time = options.scale = options.axes = options.container = false;
-  const viz::UnitSpace space(snapshot.domain);
+  const viz::UnitSpace space(particles.snapshot->domain);
   const viz::Camera camera = viz::lay_out(options, space, {}).camera;
 
-  fmt::print("{} spheres, {} x {} px, PNG written, one process\n\n| way | s a frame | frames a second | ratio |\n",
-             snapshot.size(), options.width, options.height);
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  fmt::print("{} spheres, {} x {} px, PNG written, {} cores\n\n| way | s a frame | frames a second | ratio |\n",
+             particles.size(), options.width, options.height, cores);
   fmt::print("|---|---|---|---|\n");
   double reference = 0;
-  const auto row = [&](const char* name, double seconds) {
+  const auto row = [&](const std::string& name, double seconds) {
     if (reference == 0) reference = seconds;
     fmt::print("| {} | {:.3f} | {:.2f} | {:.1f} |\n", name, seconds, 1 / seconds, seconds / reference);
   };
   for (const int supersampling : {1, 2}) {
     options.supersampling = supersampling;
     viz::ParticlePainter painter(options);
-    const auto frame = [&] { viz::write_png(file, painter.paint(snapshot)); };
+    const auto frame = [&] { viz::write_png(file, painter.paint(particles)); };
     frame();
-    row(supersampling == 1 ? "packstone" : "packstone, 2 x 2 samples a pixel", median_seconds(frames, frame));
+    const std::string samples = supersampling == 1 ? "" : ", 2 x 2 samples a pixel";
+    row("packstone, one process" + samples, median_seconds(frames, frame));
+    row(fmt::format("packstone, {} processes{}", cores, samples),
+        time_workers(particles, options, cores, frames, folder));
   }
-  const auto points = points_of(snapshot, space);
+  const auto points = points_of(particles, space);
   vtkNew<vtkOpenGLSphereMapper> impostors;
   impostors->SetInputData(points);
   impostors->SetScaleArray(radius_array);
@@ -133,8 +162,7 @@ int main(int argc, char** argv) {
     packstone::viz::PictureOptions options;
     if (argc > 2) options.width = std::atoi(argv[2]);
     if (argc > 2) options.height = std::atoi(argv[3]);
-    compare(packstone::read_snapshot(argv[1], {.region = {}, .contacts = false}), options,
-            argc > 4 ? std::atoi(argv[4]) : usual_frames);
+    compare(argv[1], options, argc > 4 ? std::atoi(argv[4]) : usual_frames);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_pictures: error: {}\n", error.what());
     return 1;
