@@ -22,19 +22,22 @@ const std::uint32_t* compose_row(const PixelLayer& bodies, const WallLayer* wall
 
 }  // namespace
 
-Layer compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling) {
+void compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling, Layer& layer) {
   const PixelWindow& window = bodies.window();
-  Layer layer{window.width / supersampling, window.height / supersampling, {}};
+  layer.width = window.width / supersampling;
+  layer.height = window.height / supersampling;
   const std::size_t row_bytes = static_cast<std::size_t>(layer.width) * 4;
   layer.rgba.resize(row_bytes * static_cast<std::size_t>(layer.height));
-  if (bodies.blank() && !walls) return layer;
+  if (bodies.blank() && !walls) {
+    std::fill(layer.rgba.begin(), layer.rgba.end(), 0);
+    return;
+  }
   std::vector<std::uint32_t> room(static_cast<std::size_t>(window.width));
   RowAverage average(window.width, supersampling);
   for (int row = 0; row < window.height; ++row) {
     const std::uint32_t* const samples = compose_row(bodies, walls, row, room);
     average.add(reinterpret_cast<const std::uint8_t*>(samples), &layer.rgba[row_bytes * (row / supersampling)]);
   }
-  return layer;
 }
 
 }  // namespace packstone::viz

@@ -9,7 +9,7 @@
 namespace packstone::viz {
 
 /// Every pixel is the mean of supersampling x supersampling samples, of each the nearer of body and wall. walls may
-/// be null; else they are prepared for the layer's window.
-Layer compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling);
+/// be null; else they are prepared for the layer's window. Takes the place of what was in the layer.
+void compose(const PixelLayer& bodies, const WallLayer* walls, int supersampling, Layer& layer);
 
 }  // namespace packstone::viz

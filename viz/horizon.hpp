@@ -44,7 +44,7 @@ class Horizon {
   }
 
  private:
-  static constexpr int side = 8;
+  static constexpr int side = 4;
 
   /// Calls visit(square, column, row) until it returns false.
   template <class Visit>

@@ -84,10 +84,8 @@ Layer average_down(const std::uint8_t* rgba, int width, int height, int factor) 
   return layer;
 }
 
-Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
+void flatten(const std::vector<const Layer*>& layers, Colour ground, Image& whole, int left, int top) {
   const int width = layers.front()->width, height = layers.front()->height;
-  Image image{width, height, {}};
-  image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
   const std::uint8_t tone[3] = {ground.r, ground.g, ground.b};
   std::vector<std::uint32_t> over(width), tones(3 * static_cast<std::size_t>(width));
   for (int row = 0; row < height; ++row) {
@@ -97,12 +95,18 @@ Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
       if (std::all_of(over.begin(), over.end(), [](std::uint32_t pixel) { return pixel == 0; })) continue;
       for (int k = 0; k < 3; ++k) lay_over(over.data(), 8 * k, width, &tones[static_cast<std::size_t>(k) * width]);
     }
-    std::uint8_t* pixel = &image.rgb[static_cast<std::size_t>(row) * width * 3];
+    std::uint8_t* pixel = &whole.rgb[(static_cast<std::size_t>(top + row) * whole.width + left) * 3];
     for (int column = 0; column < width; ++column) {
       for (int k = 0; k < 3; ++k)
         *pixel++ = static_cast<std::uint8_t>(tones[static_cast<std::size_t>(k) * width + column]);
     }
   }
+}
+
+Image flatten(const std::vector<const Layer*>& layers, Colour ground) {
+  Image image{layers.front()->width, layers.front()->height, {}};
+  image.rgb.resize(static_cast<std::size_t>(image.width) * image.height * 3);
+  flatten(layers, ground, image, 0, 0);
   return image;
 }
 

@@ -45,6 +45,8 @@ class RowAverage {
 
 /// Lays the layers over a plain ground, the first lowest. All have the same size.
 Image flatten(const std::vector<const Layer*>& layers, Colour ground);
+/// The same into its place in a picture.
+void flatten(const std::vector<const Layer*>& layers, Colour ground, Image& whole, int left, int top);
 
 /// A part of a layer.
 Layer part_of(const Layer& layer, const PixelWindow& window);

@@ -169,8 +169,10 @@ struct ParticlePainter::Stage {
   std::optional<Frame> frame;
   std::optional<PixelLayer> bodies;
 
-  /// A part that lies within one square of the walls.
-  Image paint(const PixelWindow& part, const PictureOptions& options) {
+  Layer particles;  // of the last part
+
+  /// A part that lies within one square of the walls, into its place in a picture.
+  void paint(const PixelWindow& part, const PictureOptions& options, Image& image, const PixelWindow& window) {
     const PixelWindow samples = part.finer(options.supersampling);
     if (options.occlusion > 0) {
       draw_bodies(*bodies, *frame, samples.wider(occlusion_margin(frame->reach)), options.cull);
@@ -179,10 +181,10 @@ struct ParticlePainter::Stage {
       draw_bodies(*bodies, *frame, samples, options.cull);
     }
     if (options.container) walls.prepare(samples);
-    Layer particles = compose(*bodies, options.container ? &walls : nullptr, options.supersampling);
+    compose(*bodies, options.container ? &walls : nullptr, options.supersampling, particles);
     if (frame->layout.frame) clear_outside(particles, part, *frame->layout.frame);
     const Layer words = labels.part(part);
-    return flatten({&particles, &words}, themed(paper, options.ground));
+    flatten({&particles, &words}, themed(paper, options.ground), image, part.left - window.left, part.top - window.top);
   }
 
   explicit Stage(const PictureOptions& options)
@@ -213,9 +215,7 @@ Image ParticlePainter::part(const PixelWindow& window) {
   const int tile = std::max(1, largest_tile / options_.supersampling);
   // The walls of one square after the other; no tile reaches over two.
   for_each_square(window, WallLayer::patch_side(options_.supersampling), [&](const PixelWindow& square) {
-    for_each_square(square, tile, [&](const PixelWindow& part) {
-      place(image, stage_->paint(part, options_), part.left - window.left, part.top - window.top);
-    });
+    for_each_square(square, tile, [&](const PixelWindow& part) { stage_->paint(part, options_, image, window); });
   });
   return image;
 }
