@@ -50,6 +50,7 @@ OverdampedScales overdamped_scales(const Scene& scene, const Population& populat
     if (k * mobility <= fastest) return;
     fastest = k * mobility;
     scales.contact_time = 1 / (k * a.mobility);
+    scales.stiffness = k;
     scales.stiffness_ratio = gravity > 0 ? k * a.radius / (a.mass * gravity) : 0;
     scales.radius = a.radius;
     scales.sinking_speed = a.mass * gravity * a.mobility;

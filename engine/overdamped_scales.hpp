@@ -13,6 +13,7 @@ namespace packstone::engine {
 /// fastest. Hertz' stiffness is the slope at the monitor's overlap limit, or under a bed's weight where that is known.
 struct OverdampedScales {
   double contact_time = 0;     ///< t_0 = mu/k [s]
+  double stiffness = 0;        ///< k [N/m]
   double stiffness_ratio = 0;  ///< chi = k r/weight; 0 without gravity
   double radius = 0;           ///< of the group's smallest particle [m]
   double sinking_speed = 0;    ///< of that particle, weight/mu [m/s]

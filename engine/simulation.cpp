@@ -144,7 +144,10 @@ std::unique_ptr<Dynamics> Simulation::make_dynamics() {
 double Simulation::energy_noise() const {
   if (scales_) {
     constexpr double smallest_fall = 1e-6;  // radii, of all
-    return total_mass() * scene_.gravity.acceleration.norm() * smallest_fall * smallest_radius(population_);
+    const double fall =
+        total_mass() * scene_.gravity.acceleration.norm() * smallest_fall * smallest_radius(population_);
+    const double overlap = *scene_.dynamics.tolerance * smallest_radius(population_);  // that one contact may be off
+    return std::max(fall, 0.5 * scales_->stiffness * overlap * overlap);
   }
   constexpr double slowest = 1e-9;                                                            // radii a step
   const double fall = scene_.gravity.present ? dt_ * scene_.gravity.acceleration.norm() : 0;  // in one step

@@ -52,6 +52,12 @@ void ContactMatrix::invert_diagonal(const std::vector<double>& mobility, double 
   });
 }
 
+double ContactMatrix::energy() const {
+  double sum = 0;
+  for (const Block& block : blocks_) sum += block.energy;
+  return sum;
+}
+
 double ContactMatrix::largest_rate(const std::vector<double>& mobility) const {
   std::vector<double> largest(blocks_.size(), 0.0);
   for_each_slot(blocks_, mobility.size(),

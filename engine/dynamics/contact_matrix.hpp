@@ -29,6 +29,7 @@ class ContactMatrix {
   struct Block {
     std::vector<Entry> entries;
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;  ///< slot, end of its entries
+    double energy = 0;                                        ///< stored in walls' contacts and half of the others' [J]
   };
   std::vector<Block>& blocks() { return blocks_; }
 
@@ -37,6 +38,9 @@ class ContactMatrix {
 
   /// Inverses of the 3 x 3 blocks on the diagonal, by slot [m/N].
   void invert_diagonal(const std::vector<double>& mobility, double share, std::vector<Mat3>& inverse) const;
+
+  /// Stored in all contacts [J].
+  double energy() const;
 
   /// Gershgorin's bound on the eigenvalues of mobility K [1/s].
   double largest_rate(const std::vector<double>& mobility) const;

@@ -18,6 +18,8 @@ class Euler final : public OverdampedMethod {
     for_each_index(n, [&](std::size_t s) { step.x1[s] = step.x0[s] + step.length * step.v0[s]; });
     Attempt made;
     made.sums = system.velocities(step.time + step.length, step.length, step.x1, step.v1);
+    made.work = 0.5 * step.length * step.power;
+    made.work += 0.5 * step.length * power_of(made.sums, step.length);
     difference_.resize(n);
     // What the trapezium rule would add.
     for_each_index(n, [&](std::size_t s) { difference_[s] = 0.5 * step.length * (step.v1[s] - step.v0[s]); });

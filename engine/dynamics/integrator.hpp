@@ -7,9 +7,25 @@
 
 namespace packstone::engine {
 
+/// Of growing radii and of moving boundaries on the particles, at an instant [W] or over a step [J].
+struct DrivenWork {
+  double growth = 0, walls = 0;
+
+  DrivenWork& operator+=(const DrivenWork& o) {
+    growth += o.growth;
+    walls += o.walls;
+    return *this;
+  }
+  friend DrivenWork operator*(double a, const DrivenWork& w) { return {a * w.growth, a * w.walls}; }
+};
+
+/// dt: of the step that the sums were found for [s].
+inline DrivenWork power_of(const StepSums& sums, double dt) { return {sums.growth_work / dt, sums.wall_work / dt}; }
+
 /// From an instant to a later one; by slot.
 struct MotionStep {
   double time, length;    ///< [s]
+  DrivenWork power;       ///< at its beginning [W]
   const SlotVectors& x0;  ///< [m]
   const SlotVectors& v0;  ///< [m/s]
   SlotVectors& x1;
@@ -20,6 +36,7 @@ struct Attempt {
   bool solved = true;  ///< else x1 and v1 are nothing
   double error = 0;    ///< of the positions, root mean square over the mean radius
   StepSums sums;       ///< at the step's end; length of the step as dt
+  DrivenWork work;     ///< over the step, by the method's own quadrature [J]
 };
 
 class OverdampedMethod {

@@ -16,7 +16,7 @@ namespace packstone::engine {
 namespace {
 
 constexpr double longest_move = 0.25;       ///< of its radius, that a particle may make in a step chosen by tolerance
-constexpr double planned_move = 0.2;        ///< of it, at the speed that it has
+constexpr double planned_move = 0.2;        ///< of it, at the speed of the step before, or a slower one that it has
 constexpr double longest_given_move = 0.5;  ///< in a given step: farther, it could go through a boundary
 constexpr double list_share = 0.3;          ///< of its radius, that each particle may move while a list serves
 constexpr double growth_in_step = 0.02;     ///< of the full radius
@@ -68,8 +68,7 @@ void Overdamped::renew_list(Particles& particles, double time, double dt, double
 
 StepSums Overdamped::advance(Particles& particles, const StepInput& input, Recorder* recorder) {
   StepSums sums = system_.field().find(particles, input, recorder);
-  growth_power_ = sums.growth_work / input.dt;
-  wall_power_ = sums.wall_work / input.dt;
+  power_ = power_of(sums, input.dt);
   sums.growth_work = sums.wall_work = 0;  // go_on tells them
   if (fresh_ || method_->ends_with_velocity()) {
     for_each_index(particles.slots(), [&](std::size_t s) {
@@ -127,7 +126,8 @@ double Overdamped::longest_step(const Particles& particles, double time, double 
     const Row& row = particles.now.rows[s];
     return Extremes{row.velocity.norm() / row.radius, row.radius};
   });
-  const double fastest = found.fastest, smallest = found.smallest;
+  // What a stiff contact sets moving at an instant is over long before the step is.
+  const double fastest = pace_ > 0 ? std::min(found.fastest, pace_) : found.fastest, smallest = found.smallest;
   double longest = std::min(until, method_->stable_step(system_, time));
   if (fastest > 0) longest = std::min(longest, planned_move / fastest);
   const double growth_rate = growth_at(scene_, time).rate;
@@ -224,7 +224,7 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
     } else if (given == 0 && 2 * length > left) {
       length = 0.5 * left;
     }
-    const Attempt attempt = method_->attempt(system_, {now, length, x0_, v0_, x1_, v1_});
+    const Attempt attempt = method_->attempt(system_, {now, length, power_, x0_, v0_, x1_, v1_});
     const Moved step = attempt.solved ? moved(particles, length) : Moved{std::numeric_limits<double>::infinity()};
     const bool short_enough = step.farthest <= (given > 0 ? longest_given_move : longest_move);
     const bool held = attempt.solved && list_held(particles, step, now + length);
@@ -249,13 +249,13 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
     write(particles, x1_, v1_);
     system_.field().neighbours().moved(step.share_squared, step.sum, length);
     share = list_share;
+    pace_ = step.farthest / length;
     ++steps_;
     passed.dissipated_resistance += step.heat;
     passed.gravity_work += step.work;
-    passed.growth_work += 0.5 * (length * growth_power_ + attempt.sums.growth_work);
-    passed.wall_work += 0.5 * (length * wall_power_ + attempt.sums.wall_work);
-    growth_power_ = attempt.sums.growth_work / length;
-    wall_power_ = attempt.sums.wall_work / length;
+    passed.growth_work += attempt.work.growth;
+    passed.wall_work += attempt.work.walls;
+    power_ = power_of(attempt.sums, length);
     if (!passed.offence) passed.offence = attempt.sums.offence;
     length_ = std::max(next_length(length, attempt.error), length < planned ? planned : 0.0);
     now = last ? end : now + length;

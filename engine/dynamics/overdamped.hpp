@@ -55,10 +55,11 @@ class Overdamped final : public Dynamics {
   Scene scene_;
   OverdampedSystem system_;
   std::unique_ptr<OverdampedMethod> method_;
-  double length_ = 0;                         ///< of the next step, as far as tolerance goes [s]; 0: not known yet
-  bool fresh_ = true;                         ///< particles have come in: the rows' velocities are not those of a step
-  double growth_power_ = 0, wall_power_ = 0;  ///< at the instant [W]
-  std::size_t mobile_ = 0;                    ///< particles when they were last looked at
+  double length_ = 0;       ///< of the next step, as far as tolerance goes [s]; 0: not known yet
+  double pace_ = 0;         ///< of the particle that went farthest in the last step [radii/s]
+  bool fresh_ = true;       ///< particles have come in: the rows' velocities are not those of a step
+  DrivenWork power_;        ///< at the instant [W]
+  std::size_t mobile_ = 0;  ///< particles when they were last looked at
   std::int64_t steps_ = 0, rejected_ = 0;
   SlotVectors x0_, v0_, x1_, v1_;
 };

@@ -37,6 +37,7 @@ class OverdampedSystem {
   double size_of(const SlotVectors& displacements) const;
   /// Boundaries and gravity may have changed at the instant that they are at.
   void forget_instant() { instant_ = -1; }
+  double radius(std::size_t slot) const { return particles_->now.rows[slot].radius; }    ///< at full size [m]
   Vec3 weight(std::size_t slot) const { return particles_->mass[slot] * gravity_now_; }  ///< [N]
 
   ForceField& field() const { return *field_; }

@@ -57,8 +57,17 @@ class RungeKuttaChebyshev final : public OverdampedMethod {
     before_ = step.x0;
     stage_.resize(n);
     for_each_index(n, [&](std::size_t s) { stage_[s] = step.x0[s] + b(1) * w1 * h * step.v0[s]; });
+    Attempt made;
+    DrivenWork power = step.power;
+    double seen = step.time;  // contacts may close and open within the step: trapezia from stage to stage
+    const auto pass = [&](double time, const StepSums& sums) {
+      made.work += 0.5 * (time - seen) * power;
+      power = power_of(sums, h);
+      made.work += 0.5 * (time - seen) * power;
+      seen = time;
+    };
     for (int j = 2; j <= stages; ++j) {
-      system.velocities(instant(j - 1), h, stage_, velocity_);
+      pass(instant(j - 1), system.velocities(instant(j - 1), h, stage_, velocity_));
       const double mu = 2 * b(j) * w0 / b(j - 1), nu = -b(j) / b(j - 2), mu_rate = 2 * b(j) * w1 / b(j - 1);
       const double gamma_rate = -a(j - 1) * mu_rate;
       for_each_index(n, [&](std::size_t s) {
@@ -69,8 +78,8 @@ class RungeKuttaChebyshev final : public OverdampedMethod {
       std::swap(before_, stage_);
     }
     step.x1 = stage_;
-    Attempt made;
     made.sums = system.velocities(step.time + h, h, step.x1, step.v1);
+    pass(step.time + h, made.sums);
     for_each_index(
         n, [&](std::size_t s) { before_[s] = 0.8 * (step.x0[s] - step.x1[s]) + 0.4 * h * (step.v0[s] + step.v1[s]); });
     made.error = system.size_of(before_);

@@ -80,6 +80,13 @@ struct IntegratorWork {
   std::int64_t steps = 0;     ///< taken
   std::int64_t rejected = 0;  ///< made anew, shorter
   std::int64_t forces = 0;    ///< times that they were found
+
+  IntegratorWork& operator+=(const IntegratorWork& o) {
+    steps += o.steps;
+    rejected += o.rejected;
+    forces += o.forces;
+    return *this;
+  }
 };
 
 /// Equations of motion with one choice of laws.
