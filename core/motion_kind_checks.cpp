@@ -116,8 +116,8 @@ void check_goal_of_motion(const Scene& s) {
 /// Under constant gravity, between walls that stand still, of contacts that softening changes in scale alone.
 void check_goal_of_rest(const Scene& s) {
   const std::string why = "does not go with dynamics.goal = \"rest\", ";
-  refuse(s, "dynamics.goal", s.dynamics.overdamped(),
-         "\"rest\" goes with kind = \"newtonian\"; overdamped motion ends at rest by rest_force");
+  refuse(s, "dynamics.way_energy", s.dynamics.overdamped() && s.dynamics.way_energy.has_value(),
+         "does not go with dynamics.kind = \"overdamped\", which has no kinetic energy; take rest_force");
   refuse(s, "gravity", !s.gravity.present, "is needed for dynamics.goal = \"rest\": without it nothing makes a bed");
   refuse(s, "gravity.end", s.gravity.end.has_value(), why + "whose bed lies under gravity" + leave_out);
   refuse(s, "gravity.formula", !s.gravity.formula.empty(), why + "whose bed lies under constant gravity" + leave_out);

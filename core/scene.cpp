@@ -32,7 +32,11 @@ void fill_overdamped_defaults(Scene& s) {
 
 void fill_rest_defaults(DynamicsSpec& d) {
   if (!d.way_overlap) d.way_overlap = DynamicsSpec::default_way_overlap;
-  if (!d.way_energy) d.way_energy = DynamicsSpec::default_way_energy;
+  if (d.overdamped()) {
+    if (!d.rest_force) d.rest_force = DynamicsSpec::default_way_force;
+  } else if (!d.way_energy) {
+    d.way_energy = DynamicsSpec::default_way_energy;
+  }
   if (!d.unbalanced_force) d.unbalanced_force = DynamicsSpec::default_unbalanced_force;
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/geometry.hpp"
+#include "engine/overdamped_scales.hpp"
+#include "engine/stages.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -22,12 +24,15 @@ constexpr std::int64_t most_relaxing_steps = 200000;
 /// Long enough that particles that set out to fall do not count as resting: twice the time to that energy in free fall.
 double time_of_doubt(double speed, double gravity) { return 2 * speed / gravity; }
 
+/// rest_speed: of a Newtonian way's end [m/s].
 Scene way_down(const Scene& scene, const Softening& way, double rest_speed, const StepLimit& full_limit) {
   Scene soft = softened(scene, way.factor);
   DynamicsSpec& d = soft.dynamics;
-  d.rest_speed = rest_speed;
-  d.rest_time = std::max(time_of_doubt(rest_speed, scene.gravity.acceleration.norm()), soft.output.history_interval);
-  d.time_step = way_step(scene, way, full_limit);
+  if (!d.overdamped()) {
+    d.rest_speed = rest_speed;
+    d.rest_time = std::max(time_of_doubt(rest_speed, scene.gravity.acceleration.norm()), soft.output.history_interval);
+    d.time_step = way_step(scene, way, full_limit);
+  }
   soft.monitor.overlap_limit = std::max(soft.monitor.overlap_limit, way_overlap_limit);
   return soft;
 }
@@ -35,6 +40,7 @@ Scene way_down(const Scene& scene, const Softening& way, double rest_speed, cons
 }  // namespace
 
 double way_step(const Scene& scene, const Softening& way, const StepLimit& full_limit) {
+  if (scene.dynamics.overdamped()) return look_interval(scene);
   const bool longer = can_relax(scene) && scene.contact.normal == NormalModel::linear;
   const double chosen = full_limit.recommended * (longer ? way_step_over_recommended : 1.0);
   const double full_step = std::min(chosen, scene.dynamics.time_step.value_or(chosen));
@@ -43,10 +49,12 @@ double way_step(const Scene& scene, const Softening& way, const StepLimit& full_
 
 RestRun::RestRun(const Scene& scene) : scene_(scene), full_(scene), warnings_(full_.warnings()) {
   way_ = softening(scene, full_.population(), full_.solid_volume());
-  const Scene soft = way_down(scene, way_, speed_at(*scene.dynamics.way_energy), full_.step_limit());
+  const bool overdamped = scene.dynamics.overdamped();
+  const double rest_speed = overdamped ? 0 : speed_at(*scene.dynamics.way_energy);
+  const Scene soft = way_down(scene, way_, rest_speed, full_.step_limit());
   soft_ = scene.filling.kind == FillingKind::pour ? std::make_unique<Simulation>(soft)
                                                   : std::make_unique<Simulation>(soft, full_.state());
-  way_step_ = *soft_->scene().dynamics.time_step;
+  way_step_ = overdamped ? look_interval(scene) : *soft_->scene().dynamics.time_step;
   present_ = soft_->present_count();
 }
 
@@ -66,6 +74,7 @@ double RestRun::speed_at(double energy_share) const {
 void RestRun::count(const Simulation& simulation) {
   done_ += {simulation.steps_done(), simulation.list_builds(), simulation.loop_seconds(), simulation.list_seconds()};
   present_ = simulation.present_count();
+  work_ += simulation.work();
 }
 
 Snapshot RestRun::told(Snapshot snapshot) const {
@@ -87,11 +96,15 @@ void RestRun::go_down(const SimulationEvents& events) {
   }
   count(*soft_);
   time_ = static_cast<double>(soft_->steps_done() + 1) * way_step();  // the next row is another state
-  if (soft_->at_rest()) return;
-  throw RunError(
-      fmt::format("t = {:.6g} s: the bed has not come down in dynamics.duration: kinetic energy is still above {:g} of "
-                  "the sum of m g d (dynamics.way_energy); give it more time",
-                  time_, *scene_.dynamics.way_energy));
+  // An overdamped bed may look less at rest again in the row after the one that ended its way.
+  if (soft_->at_rest() || soft_->steps_done() < steps_in(scene_.dynamics.duration, way_step())) return;
+  const DynamicsSpec& d = scene_.dynamics;
+  throw RunError(fmt::format(
+      "t = {:.6g} s: the bed has not come down in dynamics.duration: {}; give it more time", time_,
+      d.overdamped()
+          ? fmt::format("a particle's unbalanced force is still above {:g} of its weight (dynamics.rest_force)",
+                        *d.rest_force)
+          : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)", *d.way_energy)));
 }
 
 Scene RestRun::at_full_stiffness() const {
@@ -100,7 +113,7 @@ Scene RestRun::at_full_stiffness() const {
   if (full.filling.kind != FillingKind::file) full.filling.kind = FillingKind::random;  // all are in, at full size
   full.filling.duration.reset();
   full.dynamics.goal = Goal::motion;
-  full.dynamics.time_step = *scene().dynamics.time_step;
+  full.dynamics.time_step = scene().dynamics.time_step;
   return full;
 }
 
@@ -136,20 +149,24 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
   done_ += relaxed.work;
   // A step of the scene's own motion, whose beginning is the last row and snapshot: at its end the hysteretic law
   // would already jitter.
-  full.dynamics.duration = full.output.interval = full.output.history_interval = *full.dynamics.time_step;
+  full.dynamics.duration = full.output.interval = full.output.history_interval =
+      full_.overdamped() ? full_.overdamped()->contact_time : *full.dynamics.time_step;
   Simulation last(full, state);
   last.run(counting_on(events, [](std::int64_t step) { return step == 0; }));
   present_ = last.present_count();
+  const std::string steps = full_.overdamped() ? fmt::format("{} steps", work_.steps)
+                                               : fmt::format("{:.3g} us steps", 1e6 * way_step());
   ending_ = fmt::format(
-      "{}: mean net force {:.3g} of the mean contact force, largest {:.3g} weights; {:.3g} of the stiffness and {:.3g} "
-      "us steps for {:.3g} s, then {} steps of relaxation at full stiffness",
+      "{}: mean net force {:.3g} of the mean contact force, largest {:.3g} weights; {:.3g} of the stiffness and {} for "
+      "{:.3g} s, then {} steps of relaxation at full stiffness",
       relaxed.balance.unbalanced <= limits.unbalanced ? "at rest" : "not at rest", relaxed.balance.unbalanced,
-      relaxed.balance.largest_over_weight, way_.factor, 1e6 * way_step(), time_, relaxed.work.steps);
+      relaxed.balance.largest_over_weight, way_.factor, steps, time_, relaxed.work.steps);
   if (relaxed.balance.unbalanced > limits.unbalanced) {
     throw RunError(
         fmt::format("after {} steps of relaxation the mean net force is {:.3g} of the mean contact force, "
-                    "not {:g} (dynamics.unbalanced_force); raise that, or lower dynamics.way_energy",
-                    relaxed.work.steps, relaxed.balance.unbalanced, limits.unbalanced));
+                    "not {:g} (dynamics.unbalanced_force); raise that, or lower dynamics.{}",
+                    relaxed.work.steps, relaxed.balance.unbalanced, limits.unbalanced,
+                    scene_.dynamics.overdamped() ? "rest_force" : "way_energy"));
   }
 }
 

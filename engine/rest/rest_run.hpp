@@ -38,12 +38,13 @@ class RestRun {
   double loop_seconds() const { return done_.loop_seconds; }
   double list_seconds() const { return done_.list_seconds; }
   std::int64_t list_builds() const { return done_.list_builds; }
-  IntegratorWork work() const { return {}; }
+  /// Of an overdamped way.
+  IntegratorWork work() const { return work_; }
   /// What was done and how nearly forces balance.
   const std::string& ending() const { return ending_; }
 
   const Softening& way() const { return way_; }
-  /// Of the way down [s].
+  /// Of the way down; between two looks of an overdamped one [s].
   double way_step() const { return way_step_; }
 
  private:
@@ -69,6 +70,7 @@ class RestRun {
   std::int64_t present_ = 0;
   double time_ = 0;  ///< at which the way ended [s]
   StepWork done_;
+  IntegratorWork work_;
   std::string ending_;
   std::vector<std::string> warnings_;
 };

@@ -23,10 +23,12 @@ Softening softening(const Scene& scene, const Population& population, double sol
   const Vec3 size = scene.box().size();
   Softening way;
   way.resting_overlap = resting_overlap(scene, population, size, solid_volume);
-  const double speed = fall_speed(scene, size);
-  for (const ContactPair& pair : contact_pairs(scene, population)) {
-    const Impact impact = impact_of(scene, *pair.a, *pair.b, pair.size, speed);
-    way.impact_overlap = std::max(way.impact_overlap, impact.largest_overlap / pair.smaller_radius);
+  if (!scene.dynamics.overdamped()) {
+    const double speed = fall_speed(scene, size);
+    for (const ContactPair& pair : contact_pairs(scene, population)) {
+      const Impact impact = impact_of(scene, *pair.a, *pair.b, pair.size, speed);
+      way.impact_overlap = std::max(way.impact_overlap, impact.largest_overlap / pair.smaller_radius);
+    }
   }
   // Overlaps under a load go as stiffness^-1, of Hertz' contacts ^(-2/3); in impacts as ^(-1/2) and ^(-2/5).
   const bool hertzian = is_hertzian(scene.contact.normal);
