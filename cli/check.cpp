@@ -124,10 +124,11 @@ void print_text(const SceneCheck& c) {
                                   c.steps, c.limit.recommended * 1e6, c.limit.limit * 1e6, c.limit.pair));
   }
   if (c.way) {
-    line("way to rest",
-         fmt::format("{:.3g} of the stiffness, {:.3g} us steps, overlaps up to {:.2g} % of the radius under the bed's "
-                     "weight and {:.2g} % in falls; then full stiffness",
-                     c.way->factor, 1e6 * c.way_step, 100 * c.way->resting_overlap, 100 * c.way->impact_overlap));
+    const std::string soft = fmt::format(
+        "{:.3g} of the stiffness, {}overlaps up to {:.2g} % of the radius under the bed's weight", c.way->factor,
+        c.overdamped ? "" : fmt::format("{:.3g} us steps, ", 1e6 * c.way_step), 100 * c.way->resting_overlap);
+    const std::string falls = fmt::format(" and {:.2g} % in falls", 100 * c.way->impact_overlap);
+    line("way to rest", soft + (c.overdamped ? "" : falls) + "; then full stiffness");
   }
   if (c.resting_overlap) line("overlap at rest", fmt::format("{:.2g} % of the radius", 100 * *c.resting_overlap));
   if (c.bond_number) line("Bond number", fmt::format("{:.3g}", *c.bond_number));

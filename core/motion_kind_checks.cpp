@@ -65,12 +65,30 @@ void check_rest(const Scene& s) {
   }
 }
 
+/// Why a normal law is none of overdamped motion's; empty where it is.
+std::string why_not(NormalModel law) {
+  switch (law) {
+    case NormalModel::hysteretic:
+      return "hysteretic without its damping is \"linear\"; take that";
+    case NormalModel::kuwabara_kono:
+      return "kuwabara-kono without its damping is \"hertz\"; take that";
+    case NormalModel::walton_braun:
+      return "walton-braun's force depends on the largest overlap that there was, so that no energy tells where the "
+             "bed "
+             "rests; take \"linear\"";
+    case NormalModel::linear:
+    case NormalModel::hertz:
+      break;
+  }
+  return "";
+}
+
 /// Central repulsion that is a function of the overlap alone.
 void check_forces(const Scene& s) {
   const ContactSpec& c = s.contact;
   const std::string why = "does not go with dynamics.kind = \"overdamped\", ";
-  refuse(s, "contact.normal", c.normal != NormalModel::linear && c.normal != NormalModel::hertz,
-         why + "where contacts are elastic and motion is resisted outside of them; take \"linear\" or \"hertz\"");
+  refuse(s, "contact.normal", !why_not(c.normal).empty(),
+         why + "where contacts are elastic and motion is resisted outside of them: " + why_not(c.normal));
   refuse(s, "contact.tangential", c.tangential != TangentialModel::none,
          why + "whose forces are central: particles neither turn nor rub" + leave_out);
   refuse(s, "contact.van_der_waals", c.van_der_waals.present, why + "whose contacts only repel" + leave_out);

@@ -58,7 +58,7 @@ void check_cost(const Scene& scene, SceneCheck& check) {
   const bool friction = rotates(scene);
   check.memory = n * (friction ? bytes_with_friction : bytes_a_particle);
   const double rate = !has_own_loop(scene) ? rate_of_other_laws : friction ? rate_with_friction : rate_frictionless;
-  if (check.way) {
+  if (check.way && !check.overdamped) {
     check.seconds = n * scene.dynamics.duration / check.way_step / rate;
   } else if (!check.overdamped) {
     check.seconds = n * static_cast<double>(check.steps) / rate;

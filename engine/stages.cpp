@@ -33,16 +33,20 @@ void Stages::next(std::int64_t step) {
   ++current_;
   end_ = step + stages_[current_].steps;
   resting_since_ = -1;
+  ended_ = false;
 }
 
 void Stages::see(std::int64_t step, double unrest, bool all_in) {
+  if (ended_) return;
   const Stage& stage = stages_[current_];
   if (!all_in || !(unrest < stage.rest)) {
     resting_since_ = -1;
     return;
   }
   if (resting_since_ < 0) resting_since_ = step;
-  if (step - resting_since_ >= stage.rest_steps) end_ = std::min(end_, step + 1);
+  if (step - resting_since_ < stage.rest_steps) return;
+  ended_ = true;
+  end_ = std::min(end_, step + 1);
 }
 
 }  // namespace packstone::engine

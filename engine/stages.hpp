@@ -29,7 +29,8 @@ class Stages {
   /// At a step at which the particles' unrest is known: their root-mean-square speed [m/s], of overdamped motion the
   /// unbalanced force. all_in: none is still to come.
   void see(std::int64_t step, double unrest, bool all_in);
-  /// Whether they were at rest when last seen, as the stage defines it.
+  /// Whether they were at rest when last seen, as the stage defines it, or rest has ended it: unrest may be a little
+  /// more again in the row after.
   bool at_rest() const { return resting_since_ >= 0; }
 
  private:
@@ -42,6 +43,7 @@ class Stages {
   std::size_t current_ = 0;
   std::int64_t end_;
   std::int64_t resting_since_ = -1;  ///< step; -1: does not rest
+  bool ended_ = false;               ///< the current stage, by rest
 };
 
 }  // namespace packstone::engine

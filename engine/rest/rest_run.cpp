@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/geometry.hpp"
 #include "engine/overdamped_scales.hpp"
-#include "engine/stages.hpp"
 #include "engine/time_step.hpp"
 
 namespace packstone::engine {
@@ -96,8 +95,7 @@ void RestRun::go_down(const SimulationEvents& events) {
   }
   count(*soft_);
   time_ = static_cast<double>(soft_->steps_done() + 1) * way_step();  // the next row is another state
-  // An overdamped bed may look less at rest again in the row after the one that ended its way.
-  if (soft_->at_rest() || soft_->steps_done() < steps_in(scene_.dynamics.duration, way_step())) return;
+  if (soft_->at_rest()) return;
   const DynamicsSpec& d = scene_.dynamics;
   throw RunError(fmt::format(
       "t = {:.6g} s: the bed has not come down in dynamics.duration: {}; give it more time", time_,

@@ -100,6 +100,43 @@ Scene small_bed(const std::vector<std::string>& overrides = {}) {
   return parse_scene(packstone::testing::small_scene, "small", all);
 }
 
+/// 150 spheres of 10 mm sink onto a floor, chi = 2e4.
+Scene overdamped_bed(const std::vector<std::string>& overrides) {
+  return parse_scene(R"(
+[dynamics]
+kind = "overdamped"
+viscosity = 3.7
+duration = 120
+[domain]
+min = [0, 0, 0]
+max = [0.12, 0.12, 0.2]
+periodic = ["x", "y"]
+open = ["z+"]
+[gravity]
+[contact]
+normal = "linear"
+[[material]]
+name = "m"
+density = 1200
+normal_stiffness = 1e5
+[[particles]]
+material = "m"
+count = 150
+radius = 0.01
+[filling]
+kind = "random"
+[[boundary]]
+name = "floor"
+kind = "plane"
+point = [0, 0, 0]
+normal = [0, 0, 1]
+[output]
+interval = 10
+history_interval = 0.2
+)",
+                     "overdamped bed", overrides);
+}
+
 }  // namespace
 
 TEST_CASE("A column relaxes to the overlaps that bear what stands above", "[rest]") {
@@ -250,11 +287,38 @@ TEST_CASE("A run to rest that gets no time says what it lacks", "[rest]") {
   CHECK_THROWS_WITH(run.run({}), Contains("has not come down in dynamics.duration"));
 }
 
+TEST_CASE("An overdamped run to rest ends in the bed of the whole motion", "[rest]") {
+  constexpr int seeds = 3;
+  double quick_fraction = 0, whole_fraction = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    RestRun quick(
+        overdamped_bed({fmt::format("seed={}", seed), "dynamics.goal=\"rest\"", "dynamics.way_overlap=0.01"}));
+    Told told;
+    quick.run(told.events());
+    CHECK_THAT(quick.ending(), Contains("at rest") && !Contains("not at rest"));
+    CHECK(quick.way().factor < 1);
+    CHECK(quick.work().steps > 0);
+    CHECK(-told.last("floor.force_z") == Approx(150 * weight_of(0.01)).epsilon(0.01));
+    CHECK(told.last("unbalanced_force") < 1);
+    for (std::size_t k = 1; k < told.rows.size(); ++k) CHECK(told.rows[k][1] > told.rows[k - 1][1]);
+    quick_fraction += told.last("packing_fraction") / seeds;
+
+    Simulation whole(overdamped_bed({fmt::format("seed={}", seed), "dynamics.rest_force=0.02"}));
+    Told all;
+    whole.run(all.events());
+    whole_fraction += all.last("packing_fraction") / seeds;
+  }
+  CHECK(quick_fraction == Approx(whole_fraction).margin(0.015));
+  CHECK_THROWS_WITH(RestRun(overdamped_bed({"dynamics.goal=\"rest\"", "dynamics.duration=0.5"})).run({}),
+                    Contains("unbalanced force is still above 0.3"));
+}
+
 TEST_CASE("Scenes whose bed depends on the way are refused", "[rest]") {
   const auto refused = [](const std::vector<std::string>& overrides, const std::string& why) {
     CHECK_THROWS_WITH(small_bed(overrides), Contains(why));
   };
-  refused({"dynamics.kind=\"overdamped\"", "dynamics.viscosity=1"}, "goes with kind = \"newtonian\"");
+  CHECK_THROWS_WITH(overdamped_bed({"dynamics.goal=\"rest\"", "dynamics.way_energy=0.01"}),
+                    Contains("has no kinetic energy"));
   refused({"gravity.end=1"}, "lies under gravity");
   refused({"contact.van_der_waals.hamaker=1e-19"}, "stick more");
   refused({"contact.normal=\"walton-braun\""}, "largest overlap");
