@@ -60,7 +60,7 @@ struct DynamicsSpec {
 
   // The quick way to rest; there where goal is rest. The defaults are measured, docs/rest.md.
   static constexpr double default_way_overlap = 2e-3, default_way_energy = 5e-3, default_unbalanced_force = 0.02;
-  static constexpr double default_way_force = 0.3;  ///< rest_force of an overdamped way
+  static constexpr double default_way_force = 0.05;  ///< rest_force of an overdamped way
   Goal goal = Goal::motion;
   std::optional<double> way_overlap;       ///< that softening may lead to under the bed's weight, over the radius
   std::optional<double> way_energy;        ///< kinetic, over the sum of m g d, with which the softened way ends

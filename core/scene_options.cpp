@@ -93,7 +93,8 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
            d.way_overlap);
   v.number({"way_energy",
             "goal = rest, newtonian: kinetic energy, over the sum of the particles' m g d, at which the softened way "
-            "ends; 0.005 unless given. overdamped: rest_force ends it, 0.3 unless given",
+            "ends; 0.005 unless given. overdamped: rest_force ends it, then of the mean unbalanced force over the mean "
+            "weight; 0.05 unless given",
             unit::none, Range::above_up_to(0, 1)},
            d.way_energy);
   v.number({"unbalanced_force",

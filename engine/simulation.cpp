@@ -124,6 +124,8 @@ Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_
   if (scales_) {
     check_overdamped_step(scene, *scales_, warnings_);
     warn_of_ignored_velocities(start, warnings_);
+    // Else walls would take particles for having come from where those velocities point back to.
+    for (Row& row : particles_.now.rows) row.velocity.setZero();
   }
   check_periodic_sides(scene, domain_, largest_radius(population_));
   warn_of_lost_weight(scene, population_, warnings_);

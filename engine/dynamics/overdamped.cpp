@@ -84,7 +84,8 @@ StepSums Overdamped::advance(Particles& particles, const StepInput& input, Recor
 
 void Overdamped::record(const Particles& particles, const StepInput& input, Recorder& recorder, StepSums& sums) const {
   const double gravity = input.gravity.norm();
-  double largest = 0;  // over the weight where there is any [N]
+  double largest = 0;              // over the weight where there is any [N]
+  double forces = 0, weights = 0;  // of all [N]
   for (std::size_t s = 0; s < particles.slots(); ++s) {
     if (!particles.is_particle(s)) continue;
     const Vec3 force = particles.force.get(s) + particles.mass[s] * input.gravity;
@@ -92,9 +93,12 @@ void Overdamped::record(const Particles& particles, const StepInput& input, Reco
     recorder.force[particles.id[s]] = force;
     recorder.velocity[particles.id[s]] = velocity;
     sums.largest_speed_squared = std::max(sums.largest_speed_squared, velocity.squaredNorm());
+    forces += force.norm();
+    weights += particles.mass[s] * gravity;
     largest = std::max(largest, gravity > 0 ? force.norm() / (particles.mass[s] * gravity) : force.norm());
   }
-  sums.unbalanced_force = largest;
+  // On the way to rest a bed of many particles always has one that a stiff contact pushes for an instant.
+  sums.unbalanced_force = scene_.dynamics.goal == Goal::rest ? forces / weights : largest;
   if (gravity > 0 || largest == 0) return;
   double sum = 0;
   for (const Vec3& force : recorder.contacts.force) sum += force.norm();

@@ -100,9 +100,10 @@ void RestRun::go_down(const SimulationEvents& events) {
   throw RunError(fmt::format(
       "t = {:.6g} s: the bed has not come down in dynamics.duration: {}; give it more time", time_,
       d.overdamped()
-          ? fmt::format("a particle's unbalanced force is still above {:g} of its weight (dynamics.rest_force)",
+          ? fmt::format("the mean unbalanced force is still above {:g} of the mean weight (dynamics.rest_force)",
                         *d.rest_force)
-          : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)", *d.way_energy)));
+          : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)",
+                        *d.way_energy)));
 }
 
 Scene RestRun::at_full_stiffness() const {
@@ -152,8 +153,8 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
   Simulation last(full, state);
   last.run(counting_on(events, [](std::int64_t step) { return step == 0; }));
   present_ = last.present_count();
-  const std::string steps = full_.overdamped() ? fmt::format("{} steps", work_.steps)
-                                               : fmt::format("{:.3g} us steps", 1e6 * way_step());
+  const std::string steps =
+      full_.overdamped() ? fmt::format("{} steps", work_.steps) : fmt::format("{:.3g} us steps", 1e6 * way_step());
   ending_ = fmt::format(
       "{}: mean net force {:.3g} of the mean contact force, largest {:.3g} weights; {:.3g} of the stiffness and {} for "
       "{:.3g} s, then {} steps of relaxation at full stiffness",

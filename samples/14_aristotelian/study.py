@@ -16,7 +16,7 @@ LARGEST = 0.01  # radius in every mixture [m]
 RATIOS = {"equal": 1.0, "uniform_1.5": 1.5, "uniform_2": 2.0}  # largest over smallest radius
 FRACTION = 0.3  # to begin with
 # Overlap that the softened way may have, of a column of the smallest, over the radius.
-WAY_OVERLAP = {"equal": 0.03, "uniform_1.5": 0.02, "uniform_2": 0.02}
+WAY_OVERLAP = {"equal": 0.03, "uniform_1.5": 0.04, "uniform_2": 0.05}
 MOTIONS = {"aristotelian": "scene.toml", "newtonian": "newtonian.toml"}
 
 
