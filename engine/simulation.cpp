@@ -148,8 +148,9 @@ double Simulation::energy_noise() const {
     constexpr double smallest_fall = 1e-6;  // radii, of all
     const double fall =
         total_mass() * scene_.gravity.acceleration.norm() * smallest_fall * smallest_radius(population_);
-    const double overlap = *scene_.dynamics.tolerance * smallest_radius(population_);  // that one contact may be off
-    return std::max(fall, 0.5 * scales_->stiffness * overlap * overlap);
+    // By which a step's places may be off, root mean square over the particles.
+    const double overlap = *scene_.dynamics.tolerance * smallest_radius(population_);
+    return std::max(fall, 0.5 * scales_->stiffness * overlap * overlap * static_cast<double>(particle_count()));
   }
   constexpr double slowest = 1e-9;                                                            // radii a step
   const double fall = scene_.gravity.present ? dt_ * scene_.gravity.acceleration.norm() : 0;  // in one step

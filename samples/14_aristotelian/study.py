@@ -45,7 +45,8 @@ def measured(packstone, folder, mixture, motion, count, cylinder):
     run = folder / f"{motion}_{mixture}"
     subprocess.run([packstone, "run", here / MOTIONS[motion], "-o", run, "--overwrite", "--quiet",
                     *overrides(mixture, motion, count, cylinder)], check=True)
-    subprocess.run([packstone, "analyze", run, "--only", "packing,surface,structure", "--json", run / "measures.json",
+    subprocess.run([packstone, "analyze", run, "--only", "packing,surface,structure",
+                    "--pore-points", "100", "--json", run / "measures.json",
                     "--quiet"], check=True, stdout=subprocess.DEVNULL)
     return json.loads((run / "measures.json").read_text())
 
