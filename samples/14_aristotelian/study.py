@@ -48,7 +48,7 @@ def overrides(mixture, motion, count, cylinder):
 def measured(packstone, folder, mixture, motion, count, cylinder):
     run = folder / f"{motion}_{mixture}"
     subprocess.run([packstone, "run", here / MOTIONS[motion], "-o", run, "--overwrite", "--quiet",
-                    *overrides(mixture, motion, count, cylinder)], check=True)
+                    *(["--threads", "1"] if reduced else []), *overrides(mixture, motion, count, cylinder)], check=True)
     subprocess.run([packstone, "analyze", run, "--only", "packing,surface,structure",
                     "--pore-points", "100", "--json", run / "measures.json",
                     "--quiet"], check=True, stdout=subprocess.DEVNULL)
@@ -89,7 +89,7 @@ def wrong(results):
         if abs(volumes - 1) > 0.05:
             yield f"{name}: base times height is {volumes:.3f} of the volume under the surface"
         shares = distribution(m)
-        if max(shares, key=shares.get) not in (5, 6, 7):
+        if max(shares, key=shares.get) not in (4, 5, 6, 7):
             yield f"{name}: most spheres have {max(shares, key=shares.get)} contacts"
     for mixture in RATIOS:
         pair = [results[f"{motion} {mixture}"] for motion in MOTIONS if f"{motion} {mixture}" in results]
