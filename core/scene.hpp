@@ -57,6 +57,8 @@ struct DynamicsSpec {
   double rest_time = 0.01;           ///< for which it stays below [s]
   ContactVelocity contact_velocity = ContactVelocity::automatic;
   Precision precision = Precision::double_precision;
+  std::optional<double>
+      list_margin;  ///< that a particle may move before its neighbours are sought anew, over its radius
 
   // The quick way to rest; there where goal is rest. The defaults are measured, docs/rest.md.
   static constexpr double default_way_overlap = 2e-3, default_way_energy = 5e-3, default_unbalanced_force = 0.02;

@@ -81,6 +81,11 @@ void describe_dynamics(OptionVisitor& v, DynamicsSpec& d) {
             "Of the forces between particles. mixed: single, from positions in fixed point; faster, with overlaps "
             "rounded by 1e-7 of the radii. Motion and walls are double either way"},
            {"double", "mixed"}, d.precision, has_default);
+  v.number({"list_margin",
+            "Way, over its radius, that each particle may go before all neighbours are sought anew; chosen by what the "
+            "particles do unless given. Decides the cost alone, not the motion",
+            unit::none, Range::above_up_to(0, 10)},
+           d.list_margin);
   v.choice({"goal",
             "What the run is for. motion: how the particles move. rest: the bed at rest alone, by the cheapest way "
             "that keeps its statistics: a softened fall, then a balance of forces at full stiffness (docs/rest.md); "

@@ -28,8 +28,8 @@ Margins MarginPolicy::balanced(double agitation, double dt, double mean_speed) c
 
 Margins MarginPolicy::next(double dt, double mean_speed) {
   mean_speed_ = mean_speed;
-  if (agitation_ < 0) {
-    margins_ = {first_size_share, std::min(steps_per_build, longest_life) * dt};
+  if (fixed_ || agitation_ < 0) {
+    margins_ = {fixed_.value_or(first_size_share), std::min(steps_per_build, longest_life) * dt};
   } else {
     margins_ = balanced(agitation_, dt, mean_speed);
   }
@@ -43,7 +43,7 @@ void MarginPolicy::learn(double used, std::int64_t steps, double dt) {
 }
 
 bool MarginPolicy::worth_renewing(double used, std::int64_t steps, double dt) const {
-  if (steps < first_look || !std::has_single_bit(static_cast<std::uint64_t>(steps))) return false;
+  if (fixed_ || steps < first_look || !std::has_single_bit(static_cast<std::uint64_t>(steps))) return false;
   const double agitation = margins_.size_share * used / (static_cast<double>(steps) * dt);
   const Margins better = balanced(agitation, dt, mean_speed_);
   const double saved = margins_.size_share - better.size_share;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace packstone::engine {
 
@@ -19,6 +20,9 @@ struct Margins {
 /// particles did, never from a clock, so that a run repeats.
 class MarginPolicy {
  public:
+  /// size_share: of all lists; none: weighed anew for each.
+  explicit MarginPolicy(std::optional<double> size_share) : fixed_(size_share) {}
+
   /// Margins of the next list. mean_speed: of |v_i - u|/R_i [1/s].
   Margins next(double dt, double mean_speed);
 
@@ -32,6 +36,7 @@ class MarginPolicy {
  private:
   Margins balanced(double agitation, double dt, double mean_speed) const;
 
+  std::optional<double> fixed_;
   Margins margins_;
   double agitation_ =
       -1;  ///< largest part of its radius that a particle moves in a second, by pushes; negative: unknown

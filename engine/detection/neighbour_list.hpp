@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/domain.hpp"
@@ -31,9 +32,10 @@ struct GroupBlock {
 
 class NeighbourList {
  public:
-  /// width: lanes of a group. range: gap across which particles act on each other [m]. Periodic sides must be at least
-  /// least_periodic_side wide.
-  NeighbourList(const Domain& domain, int width, double range = 0) : domain_(domain), width_(width), range_(range) {}
+  /// width: lanes of a group. range: gap across which particles act on each other [m]. margin: as in MarginPolicy.
+  /// Periodic sides must be at least least_periodic_side wide.
+  NeighbourList(const Domain& domain, int width, double range = 0, std::optional<double> margin = std::nullopt)
+      : domain_(domain), width_(width), range_(range), policy_(margin) {}
 
   /// Smallest periodic side at which a particle meets only one image of another [m].
   static double least_periodic_side(double largest_radius, double range = 0);

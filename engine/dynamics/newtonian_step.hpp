@@ -32,7 +32,7 @@ class NewtonianStep final : public Dynamics {
       : domain_(domain),
         boundaries_(boundaries),
         forces_(scene.contact, scene.materials),
-        list_(domain, PairLanes::width, forces_.range()),
+        list_(domain, PairLanes::width, forces_.range(), scene.dynamics.list_margin),
         walls_(boundaries, Lanes::width),
         from_walls_(domain, boundaries, forces_, list_, walls_, history_.walls),
         wall_loads_(boundaries.size()) {
