@@ -19,6 +19,7 @@ enum class RandomStream : std::uint32_t {
   pore_point = 6,
   shell_direction = 7,
   followed_particles = 8,
+  fraction_estimate = 9,
 };
 
 /// A sequence of draws for one item (a particle, a trial) of one stream.
