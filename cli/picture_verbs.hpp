@@ -17,7 +17,7 @@ inline constexpr PictureVerb report_verb{"report",
                                          "Write a page with the tables, charts and pictures of a run, or compare runs"};
 
 inline constexpr PictureVerb tradeoff_verb{
-    "tradeoff", "Run variants of a scene and chart error against cost, with a recommendation"};
+    "tradeoff", "Vary a scene's runs, a packing's measures or pictures, and chart error against cost"};
 
 inline constexpr PictureVerb stability_verb{
     "stability", "Sweep steps and parameters and chart where models fail, with theory's limits"};

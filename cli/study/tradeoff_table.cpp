@@ -53,14 +53,15 @@ const VariantTrials& chosen_reference(const std::vector<VariantTrials>& variants
 
 /// Seeds are the same in both, so that what they share in common falls out of the difference.
 std::optional<Accuracy> accuracy_of(const VariantTrials& variant, const VariantTrials& reference,
-                                    const std::string& quantity) {
+                                    const std::string& quantity, Deviation deviation) {
   std::vector<double> values, differences;
   for (std::size_t k = 0; k < variant.trials.size(); ++k) {
     const auto value = variant.trials[k].values.find(quantity);
     const auto true_value = reference.trials[k].values.find(quantity);
     if (value == variant.trials[k].values.end() || true_value == reference.trials[k].values.end()) return std::nullopt;
     values.push_back(value->second);
-    differences.push_back(value->second - true_value->second);
+    const double off = value->second - true_value->second;
+    differences.push_back(deviation == Deviation::of_one ? std::abs(off) : off);
   }
   Accuracy accuracy;
   std::tie(accuracy.mean, accuracy.spread) = mean_and_spread(values);
@@ -83,18 +84,19 @@ void mark_front(std::vector<TradeoffRow>& rows, const std::string& quantity) {
 }
 
 TradeoffRow row_of(const VariantTrials& variant, const VariantTrials& reference,
-                   const std::vector<std::string>& quantities) {
+                   const std::vector<std::string>& quantities, Deviation deviation) {
   TradeoffRow row;
   row.label = variant.label;
   row.failure = variant.refused;
   for (const Trial& trial : variant.trials) {
     if (!trial.finished && row.failure.empty()) row.failure = trial.reason;
     row.particle_steps += trial.particle_steps / static_cast<double>(variant.trials.size());
+    row.memory = std::max(row.memory, trial.memory);
   }
   row.seconds = seconds_of(variant);
   if (!all_finished(variant)) return row;
   for (const std::string& quantity : quantities) {
-    if (const auto accuracy = accuracy_of(variant, reference, quantity)) row.accuracy[quantity] = *accuracy;
+    if (const auto accuracy = accuracy_of(variant, reference, quantity, deviation)) row.accuracy[quantity] = *accuracy;
   }
   return row;
 }
@@ -102,12 +104,12 @@ TradeoffRow row_of(const VariantTrials& variant, const VariantTrials& reference,
 }  // namespace
 
 Tradeoff tradeoff_of(const std::vector<VariantTrials>& variants, const std::vector<std::string>& quantities,
-                     const std::string& reference) {
+                     const std::string& reference, Deviation deviation) {
   const VariantTrials& truth = chosen_reference(variants, reference);
   Tradeoff result;
   result.reference = truth.label;
   result.units = truth.trials.front().units;
-  for (const VariantTrials& variant : variants) result.rows.push_back(row_of(variant, truth, quantities));
+  for (const VariantTrials& variant : variants) result.rows.push_back(row_of(variant, truth, quantities, deviation));
   for (const std::string& quantity : quantities) mark_front(result.rows, quantity);
   return result;
 }

@@ -26,15 +26,6 @@ const std::map<std::string, std::string> short_names = {{"packing_fraction", "pa
 
 std::string measure_of(const std::string& quantity) { return quantity.substr(0, quantity.find('.')); }
 
-/// Letters, digits and underscores.
-std::string folder_name(const std::string& label, const Scene& scene) {
-  std::string name = label;
-  for (char& c : name) {
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
-  }
-  return name + "_" + scene_hash(scene);
-}
-
 /// The record of an earlier run by this build that came to an end.
 std::optional<RunRecord> earlier(const fs::path& folder) {
   if (!fs::exists(folder / "run.json")) return std::nullopt;
@@ -81,6 +72,14 @@ void measure(const fs::path& folder, const TrialCall& call, Trial& trial) {
 
 }  // namespace
 
+std::string file_name_of(const std::string& label) {
+  std::string name = label;
+  for (char& c : name) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
+  }
+  return name;
+}
+
 std::string quantity_of(const std::string& name) {
   const auto found = short_names.find(name);
   const std::string full = found == short_names.end() ? name : found->second;
@@ -97,7 +96,7 @@ std::string quantity_of(const std::string& name) {
 }
 
 Trial run_trial(const Scene& scene, const std::string& label, const fs::path& below, const TrialCall& call) {
-  const fs::path folder = below / folder_name(label, scene);
+  const fs::path folder = below / (file_name_of(label) + "_" + scene_hash(scene));
   const auto before = earlier(folder);
   const RunRecord record = before ? *before : run_anew(scene, folder, call);
   Trial trial;

@@ -1,4 +1,4 @@
-// Runs of a study, kept in folders, so that a study goes on where it was stopped.
+// Trials of a study. Its runs are kept in folders, so that a study goes on where it was stopped.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,15 @@
 
 namespace packstone::cli {
 
-/// One run and what was measured of its last snapshot.
+/// One run and what was measured of its last snapshot, or one picture or measurement of a packing.
 struct Trial {
   bool finished = false;
   std::string reason;                             ///< why it failed
-  double seconds = 0;                             ///< of its loop, on the threads it had
-  double particle_steps = 0;                      ///< particles times steps
+  double seconds = 0;                             ///< of a run's loop on the threads it had, else of processor time
+  double particle_steps = 0;                      ///< particles times steps; 0 of what takes none
   std::map<std::string, double> values;           ///< by quantity, "packing.bulk_fraction"; those that have a value
   std::map<std::string, std::string> units = {};  ///< of them; empty for a pure number
+  double memory = 0;                              ///< most that it took [B]; 0: not known
 };
 
 struct TrialCall {
@@ -26,6 +27,9 @@ struct TrialCall {
   int threads = 0;                      ///< 0: as many as the machine has
   std::function<bool()> should_stop;
 };
+
+/// A label as part of a file's name: letters, digits, points, dashes and underscores.
+std::string file_name_of(const std::string& label);
 
 /// "packing.bulk_fraction" of itself or of a short name, "packing_fraction". Throws InputError for an unknown one.
 std::string quantity_of(const std::string& name);

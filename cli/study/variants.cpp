@@ -39,7 +39,15 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-/// Key and value of "KEY=VALUE".
+/// Without the quotes around it and the table before the key.
+std::string short_label(const std::string& key, std::string value) {
+  std::erase(value, '"');
+  const auto dot = key.find_last_of('.');
+  return (dot == std::string::npos ? key : key.substr(dot + 1)) + " " + value;
+}
+
+}  // namespace
+
 std::pair<std::string, std::string> setting_of(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
@@ -49,13 +57,6 @@ std::pair<std::string, std::string> setting_of(const std::string& text) {
   return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
 }
 
-/// Without the quotes around it and the table before the key.
-std::string short_label(const std::string& key, std::string value) {
-  std::erase(value, '"');
-  const auto dot = key.find_last_of('.');
-  return (dot == std::string::npos ? key : key.substr(dot + 1)) + " " + value;
-}
-
 double factor_of(const std::string& key, const std::string& value) {
   const std::optional<double> number = parsed_number(value);
   if (!number || !(*number > 0) || !std::isfinite(*number)) {
@@ -63,8 +64,6 @@ double factor_of(const std::string& key, const std::string& value) {
   }
   return *number;
 }
-
-}  // namespace
 
 std::vector<Variant> variants_of(const std::string& text) {
   const auto colon = parts_of(text, ':');

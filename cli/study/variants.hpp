@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene.hpp"
@@ -22,6 +23,12 @@ inline constexpr const char* as_is = "as is";
 /// "KEY=V1,V2,...": a variant a value; a comma within brackets or quotes separates none. "NAME: KEY=VALUE; KEY=VALUE":
 /// one variant. Throws InputError.
 std::vector<Variant> variants_of(const std::string& text);
+
+/// Key and value of "KEY=VALUE". Throws InputError.
+std::pair<std::string, std::string> setting_of(const std::string& text);
+
+/// The value of a key that takes a number above 0. Throws InputError.
+double factor_of(const std::string& key, const std::string& value);
 
 /// What a user would first ask about: steps, softer contacts, single precision, the quick way to rest.
 std::vector<Variant> usual_variants();

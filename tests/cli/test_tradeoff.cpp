@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "small_run.hpp"
 #include "tests/sample_scene.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -57,6 +58,15 @@ TEST_CASE("Errors of variants are told from the noise of seeds", "[tradeoff]") {
   CHECK(row_named(result, "broken").failure == "lost");
   CHECK(row_named(result, "broken").accuracy.empty());
   CHECK(row_named(result, "absent").failure == "not in this scene");
+}
+
+TEST_CASE("The error of one estimate does not average away", "[tradeoff]") {
+  const Tradeoff result = tradeoff_of(made_up(), {"m.q"}, "dear", Deviation::of_one);
+  const Accuracy& noisy = row_named(result, "noisy").accuracy.at("m.q");
+  // Differences 0.9, -0.3, -0.5: mean of absolute values 1.7/3, deviation sqrt(0.1867/2).
+  CHECK(noisy.error == Approx(1.7 / 3));
+  CHECK(noisy.standard_error == Approx(std::sqrt(0.18666667 / 2 / 3)));
+  CHECK(noisy.measured);
 }
 
 TEST_CASE("The front holds what nothing cheaper is as near as", "[tradeoff]") {
@@ -124,4 +134,79 @@ TEST_CASE("A wrong call of tradeoff ends in one line, and nothing is run", "[tra
   refused("--vary nonsense", "is no variant");
   refused("--vary dynamics.nonsense=1", "dynamics.nonsense");
   refused("--seeds 0", "seeds");
+}
+
+TEST_CASE("tradeoff of a packing's fraction measures it by points and voxels beside exact volumes", "[tradeoff]") {
+  const testing::SmallRun run;
+  const auto result =
+      packstone_command("tradeoff " + run.path + " --seeds 4 --quiet -o " + (run.folder / "out").string() +
+                        " --vary points=200,20000 --vary voxels=0.2" + " --tolerance packing_fraction=0.05");
+  CAPTURE(result.output);
+  REQUIRE(result.exit_code == 0);
+  const std::string table = read_text_file(run.folder / "out/tradeoff.md");
+  CHECK_THAT(table, Contains("errors beside \"exact\"") && Contains("| voxels 0.2 |"));
+  CHECK_THAT(table, Contains("within 0.05: \""));
+  CHECK_THAT(table, !Contains("particle steps") && !Contains("memory"));
+  CHECK(std::filesystem::file_size(run.folder / "out/packing.bulk_fraction.png") > 100);
+}
+
+TEST_CASE("tradeoff of a surface compares distances of its columns", "[tradeoff]") {
+  const testing::SmallRun run;
+  const auto result =
+      packstone_command("tradeoff " + run.path + " --seeds 2 --measure surface.surface_volume -o " +
+                        (run.folder / "out").string() + " --vary columns=1,0.5,0.1 --reference 'columns 0.1'");
+  CAPTURE(result.output);
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.output, Contains("surface.surface_volume [m3]") && Contains("| columns 1 |"));
+}
+
+TEST_CASE("tradeoff of pictures: samples make an error, culling and parts none, occlusion is its own look",
+          "[tradeoff]") {
+  const testing::SmallRun run;
+  const auto result = packstone_command(
+      "tradeoff " + run.path + " --picture --picture-size 160x120 --seeds 2 -o " + (run.folder / "out").string() +
+      " --vary supersampling=1,4 --vary 'no culling: cull=off' --vary 'parts: parts=2'" +
+      " --vary 'dark, 4 samples: occlusion=1; supersampling=4'" + " --tolerance difference=100");
+  CAPTURE(result.output);
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.output, Contains("\"no culling\" draws the same bytes as \"as is\""));
+  CHECK_THAT(result.output, Contains("\"parts\" draws the same bytes as \"as is\""));
+  CHECK_THAT(result.output, !Contains("\"dark, 4 samples\" draws the same"));
+  CHECK_THAT(result.output, Contains("memory [GB]") && Contains("errors beside \"supersampling 4\""));
+  const std::string csv = read_text_file(run.folder / "out/tradeoff.csv");
+  // Errors: of the finest 0, of the finest of the other look, too.
+  const auto error_of = [&](const std::string& label) {
+    std::string row = csv.substr(csv.find("\"" + label + "\",picture.difference"));
+    row = row.substr(row.find("picture.difference"), row.find('\n'));
+    for (int column = 0; column < 6; ++column) row.erase(0, row.find(',') + 1);
+    return std::stod(row);
+  };
+  CHECK(error_of("supersampling 4") == 0);
+  CHECK(error_of("dark, 4 samples") == 0);
+  CHECK(error_of("supersampling 1") > error_of("as is"));
+  CHECK(error_of("as is") > 0);
+  CHECK(std::filesystem::exists(run.folder / "out/picture.difference.png"));
+}
+
+TEST_CASE("A wrong call of tradeoff of a packing ends in one line", "[tradeoff]") {
+  const testing::SmallRun run;
+  const auto refused = [&](const std::string& further, const std::string& why) {
+    const auto result =
+        packstone_command("tradeoff " + run.path + " -o " + (run.folder / "out").string() + " " + further);
+    CAPTURE(further, result.output);
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.output, Contains(why));
+    CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
+    CHECK_FALSE(std::filesystem::exists(run.folder / "out"));
+  };
+  refused("--measure lacey", "in one way alone");
+  refused("--measure packing_fraction,surface.surface_volume", "one quantity at a time");
+  refused("--set seed=2", "of a scene");
+  refused("--vary pionts=100", "is no way to measure");
+  refused("--vary points=many", "is no factor");
+  refused("--picture --vary supersampling=1.5", "a whole number");
+  refused("--picture --vary cull=maybe", "on or off");
+  refused("--picture --vary samples=2", "is nothing a picture is drawn by");
+  refused("--picture --measure lacey", "goes without --picture");
+  refused("--picture --tolerance packing_fraction=0.1", "the only one");
 }
