@@ -32,7 +32,7 @@ study segregation "$samples/01_density_segregation/scene.toml" --measure packing
   --vary 'dynamics.goal="rest"' \
   --vary 'linear: contact.normal="linear"; material[0].normal_damping=239; material[1].normal_damping=609' \
   --tolerance packing_fraction=0.002
-# Sample 02 at a reduced size: 20 big spheres, 6000 small ones.
+# Sample 02 at a reduced size: 20 big spheres, 6000 small ones; five minutes with seeds=2.
 study binary "$samples/02_binary_packing/scene.toml" --set particles[0].count=20 --set particles[1].count=6000 --set dynamics.duration=1.2 \
   --reference "time_step 5 us" --vary 'dynamics.time_step="5 us","20 us"' --vary stiffness=0.1,0.01 --vary 'dynamics.goal="rest"' \
   --tolerance packing_fraction=0.005
@@ -45,3 +45,16 @@ study cylinder "$samples/12_overdamped/scene.toml" --set particles[0].count=500 
   --set dynamics.duration=200 --set monitor.overlap_limit=0.5 --set output.interval=100 --reference "integrator euler" \
   --vary 'dynamics.integrator="euler"' --vary dynamics.tolerance=0.001,0.1 --vary 'dynamics.viscosity=0.37' \
   --tolerance packing_fraction=0.002
+# Margins of neighbour lists.
+study margin "$here/studies/equal.toml" --set particles[0].count=1000 --set 'domain.max=[0.0833,0.0833,0.25]' --set dynamics.duration=0.5 \
+  --set output.interval=0.5 --title "Margins of neighbour lists" --reference "as is" --vary dynamics.list_margin=0.01,0.03,0.1,0.2,0.4,0.8 --threads 1
+# Pictures and measures of sample 01's bed at rest.
+bed=$folder/bed
+of_bed() {  # NAME SEEDS ARGUMENTS...
+  if [ "$wanted" != "  " ] && [[ "$wanted" != *" $1 "* ]]; then return; fi
+  if [ ! -e "$bed/run.json" ]; then "$packstone" run "$samples/01_density_segregation/scene.toml" -o "$bed" --quiet; fi
+  seeds=$2 study "$1" "$bed" "${@:3}"
+}
+of_bed picture 3 --picture --tolerance difference=0.6
+of_bed fraction 16 --title "Bulk fraction of sample 01" --tolerance packing_fraction=0.001
+of_bed surface 2 --measure surface.surface_volume
