@@ -278,7 +278,7 @@ TEST_CASE("a margin that is given is that of every list, and a wider one serves 
 TEST_CASE("particles move alike whatever the margin of the lists") {
   const auto positions = [](const std::string& margin) {
     const Scene scene =
-        parse_scene(testing::small_scene_with("[dynamics]\n", "[dynamics]\n" + margin + "\n"), "margins");
+        parse_scene(packstone::testing::small_scene_with("[dynamics]\n", "[dynamics]\n" + margin + "\n"), "margins");
     Snapshot last;
     SimulationEvents events;
     events.snapshot = [&](const Snapshot& s) { last = s; };
