@@ -10,9 +10,6 @@
 
 namespace packstone {
 
-namespace {
-
-/// Of all points of spheres.
 Region box_of(std::span<const Vec3> centres, std::span<const double> radii) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (std::size_t row = 0; row < centres.size(); ++row) {
@@ -21,8 +18,6 @@ Region box_of(std::span<const Vec3> centres, std::span<const double> radii) {
   }
   return {low, high};
 }
-
-}  // namespace
 
 ParticleView::ParticleView(const Snapshot& whole)
     : snapshot(&whole), position(whole.position), radius(whole.radius), type(whole.type), material(whole.material) {

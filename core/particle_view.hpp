@@ -46,6 +46,9 @@ struct ParticleView {
   std::size_t size() const { return position.size(); }
 };
 
+/// Of all points of spheres; where there are none, its corners are infinite and the wrong way round.
+Region box_of(std::span<const Vec3> centres, std::span<const double> radii);
+
 /// Of spheres that stand in some order, so many in each.
 std::vector<RowChunk> chunks_of(std::span<const Vec3> centres, std::span<const double> radii);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace packstone::viz {
@@ -23,12 +22,8 @@ SphereCloud::SphereCloud(SphereRows rows, const Camera& camera, std::uint32_t fi
 }
 
 Outline SphereCloud::outline_of_rows(std::size_t first, std::size_t last) const {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (std::size_t row = first; row < last; ++row) {
-    low = low.cwiseMin((rows_.centres[row].array() - rows_.radii[row]).matrix());
-    high = high.cwiseMax((rows_.centres[row].array() + rows_.radii[row]).matrix());
-  }
-  return outline_of_box(in_space(low), in_space(high), camera_);
+  const Region box = box_of(rows_.centres.subspan(first, last - first), rows_.radii.subspan(first, last - first));
+  return outline_of_box(in_space(box.min), in_space(box.max), camera_);
 }
 
 std::span<const Packet> SphereCloud::parts_of(const Packet& packet) const {

@@ -41,8 +41,6 @@ struct SphereRows {
   CutAway cut{};                                            ///< spheres with centres in it are not drawn
   bool cut_through = false;                                 ///< instead, only what lies in it is not
   std::function<void(const RowChunk&)> before_first_use{};  ///< of rows of a chunk
-
-  std::size_t size() const { return centres.size(); }
 };
 
 /// Of spheres in the camera's space, which must outlive the rows; (N) each.
