@@ -74,8 +74,7 @@ std::string why_not(NormalModel law) {
       return "kuwabara-kono without its damping is \"hertz\"; take that";
     case NormalModel::walton_braun:
       return "walton-braun's force depends on the largest overlap that there was, so that no energy tells where the "
-             "bed "
-             "rests; take \"linear\"";
+             "bed rests; take \"linear\"";
     case NormalModel::linear:
     case NormalModel::hertz:
       break;
@@ -111,6 +110,8 @@ void check_overdamped(const Scene& s) {
   check_rest(s);
   refuse(s, "dynamics.contact_velocity", d.contact_velocity != ContactVelocity::automatic,
          why + "whose contacts see no velocity" + leave_out);
+  refuse(s, "dynamics.list_margin", d.list_margin.has_value(),
+         why + "whose steps, and lists with them, go by how far particles come" + leave_out);
   refuse(s, "dynamics.precision", d.precision != Precision::double_precision,
          why + "whose balance of forces takes double precision" + leave_out);
   refuse(

@@ -66,7 +66,8 @@ struct Candidate {
   std::size_t row;
 };
 
-/// Those that reach into a window, with the part of their outlines in it, the nearest first.
+/// Of the bodies of one packet, in the order of their rows, those that reach into a window, with the part of their
+/// outlines in it, the nearest first.
 void keep_visible(std::vector<Candidate>& candidates, const PixelWindow& window);
 
 /// Red in the lowest byte, then green, blue.

@@ -306,6 +306,7 @@ TEST_CASE("a wrong picture call gives one line, exit code 2 and no file") {
         "render " + run.path + run.out("x.mp4") + " --tiles 2x2",
         "render " + run.path + run.out("x.png") + " --workers 0",
         "render " + run.path + run.out("x.png") + " --occlusion 2",
+        "render " + run.path + run.out("x.png") + " --cut-through",
         "render " + run.path + run.out("x.png") + " --parts 0",
         "render " + run.path + run.out("x.png") + " --camera 30,100",
         "render " + run.path + run.out("x.png") + " --camera 30,1x",

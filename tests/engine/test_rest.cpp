@@ -317,6 +317,7 @@ TEST_CASE("Scenes whose bed depends on the way are refused", "[rest]") {
   const auto refused = [](const std::vector<std::string>& overrides, const std::string& why) {
     CHECK_THROWS_WITH(small_bed(overrides), Contains(why));
   };
+  CHECK_THROWS_WITH(overdamped_bed({"dynamics.list_margin=0.1"}), Contains("dynamics.list_margin"));
   CHECK_THROWS_WITH(overdamped_bed({"dynamics.goal=\"rest\"", "dynamics.way_energy=0.01"}),
                     Contains("has no kinetic energy"));
   refused({"gravity.end=1"}, "lies under gravity");
