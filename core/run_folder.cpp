@@ -145,9 +145,10 @@ RunRecord RunReader::record() const {
     r.reason = json.at("reason");
     r.warnings = json.at("warnings").get<std::vector<std::string>>();
     r.wall_seconds = json.at("wall_seconds");
-    r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the three
+    r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the four
     r.list_seconds = json.value("list_seconds", 0.0);
     r.list_builds = json.value("list_builds", std::int64_t{0});
+    r.processor_seconds = json.value("processor_seconds", 0.0);
     r.integrator_steps = json.value("integrator_steps", std::int64_t{0});  // of overdamped motion alone
     r.ending = json.value("ending", "");
     r.steps = json.at("steps");
@@ -193,7 +194,8 @@ void RunWriter::write_record(const RunRecord& r) const {
                        {"wall_seconds", r.wall_seconds},
                        {"loop_seconds", r.loop_seconds},
                        {"list_seconds", r.list_seconds},
-                       {"list_builds", r.list_builds}};
+                       {"list_builds", r.list_builds},
+                       {"processor_seconds", r.processor_seconds}};
   if (!r.ending.empty()) {
     json["integrator_steps"] = r.integrator_steps;
     json["ending"] = r.ending;

@@ -37,6 +37,7 @@ struct RunRecord {
   double loop_seconds = 0;       ///< of it in time steps, lists of neighbours included
   double list_seconds = 0;       ///< of that in building them
   std::int64_t list_builds = 0;  ///< how often the neighbour list was built
+  double processor_seconds = 0;  ///< of the whole run on all of its threads; 0: an older run
   std::int64_t steps = 0;
   std::int64_t integrator_steps = 0;  ///< of overdamped motion
   std::string ending;                 ///< of overdamped motion: whether at rest

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The studies of docs/tradeoff.md, half an hour on two cores: tradeoff.sh [PACKSTONE [FOLDER [NAME...]]]
+# The studies of docs/tradeoff.md, an hour and a half on one core: tradeoff.sh [PACKSTONE [FOLDER [NAME...]]]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 packstone=${1:-$here/../build/packstone}
@@ -12,7 +12,7 @@ study() {  # NAME ARGUMENTS...
   shift
   if [ "$wanted" != "  " ] && [[ "$wanted" != *" $name "* ]]; then return; fi
   echo "== $name"
-  "$packstone" tradeoff "$@" --quiet --seeds "${seeds:-3}" -o "$folder/$name" && cat "$folder/$name/tradeoff.md"
+  "$packstone" tradeoff "$@" --quiet --threads 1 --seeds "${seeds:-3}" -o "$folder/$name" && cat "$folder/$name/tradeoff.md"
 }
 
 samples=$here/../samples
@@ -47,7 +47,7 @@ study cylinder "$samples/12_overdamped/scene.toml" --set particles[0].count=500 
   --tolerance packing_fraction=0.002
 # Margins of neighbour lists.
 study margin "$here/studies/equal.toml" --set particles[0].count=1000 --set 'domain.max=[0.0833,0.0833,0.25]' --set dynamics.duration=0.5 \
-  --set output.interval=0.5 --title "Margins of neighbour lists" --reference "as is" --vary dynamics.list_margin=0.01,0.03,0.1,0.2,0.4,0.8 --threads 1
+  --set output.interval=0.5 --title "Margins of neighbour lists" --reference "as is" --vary dynamics.list_margin=0.01,0.03,0.1,0.2,0.4,0.8
 # Pictures and measures of sample 01's bed at rest.
 bed=$folder/bed
 of_bed() {  # NAME SEEDS ARGUMENTS...

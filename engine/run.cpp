@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include "core/error.hpp"
+#include "core/processor_time.hpp"
 #include "core/version.hpp"
 #include "engine/rest/rest_run.hpp"
 #include "engine/simulation.hpp"
@@ -27,6 +28,7 @@ std::string machine() {
 template <class Run>
 RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, const RunControl& control) {
   const Stopwatch clock;
+  const double processor_before = processor_seconds();
   Run simulation(scene);
   std::size_t warned = 0;
   const auto pass_on_warnings = [&] {
@@ -65,6 +67,7 @@ RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, 
     record.reason = reason;
     record.warnings = simulation.warnings();
     record.wall_seconds = clock.seconds();
+    record.processor_seconds = processor_seconds() - processor_before;
     record.loop_seconds = simulation.loop_seconds();
     record.list_seconds = simulation.list_seconds();
     record.list_builds = simulation.list_builds();

@@ -9,7 +9,7 @@
 #include "analysis/mean_diameter.hpp"
 #include "analysis/measures.hpp"
 #include "analysis/packing/fraction_estimates.hpp"
-#include "cli/study/processor_time.hpp"
+#include "cli/study/median_time.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 

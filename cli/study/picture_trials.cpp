@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/study/processor_time.hpp"
+#include "cli/study/median_time.hpp"
 #include "core/error.hpp"
 #include "core/run_folder.hpp"
 #include "core/text.hpp"

@@ -102,7 +102,7 @@ Trial run_trial(const Scene& scene, const std::string& label, const fs::path& be
   Trial trial;
   trial.finished = record.status == RunStatus::finished;
   trial.reason = record.reason;
-  trial.seconds = record.loop_seconds;
+  trial.seconds = record.processor_seconds;
   trial.particle_steps = static_cast<double>(record.particles) * static_cast<double>(record.steps);
   if (trial.finished) measure(folder, call, trial);
   return trial;

@@ -15,7 +15,7 @@ namespace packstone::cli {
 struct Trial {
   bool finished = false;
   std::string reason;                             ///< why it failed
-  double seconds = 0;                             ///< of a run's loop on the threads it had, else of processor time
+  double seconds = 0;                             ///< of processor time, on all threads
   double particle_steps = 0;                      ///< particles times steps; 0 of what takes none
   std::map<std::string, double> values;           ///< by quantity, "packing.bulk_fraction"; those that have a value
   std::map<std::string, std::string> units = {};  ///< of them; empty for a pure number

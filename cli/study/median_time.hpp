@@ -1,20 +1,13 @@
-// What work costs on a machine that has other work besides.
+// What repeated work costs on a machine that has other work besides.
 #pragma once
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <vector>
 
-namespace packstone::cli {
+#include "core/processor_time.hpp"
 
-/// That this process has used on all of its threads [s]: hardly depends on what else the machine does.
-inline double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  constexpr double nano = 1e-9;
-  return static_cast<double>(time.tv_sec) + nano * static_cast<double>(time.tv_nsec);
-}
+namespace packstone::cli {
 
 /// Median of what the work takes over several times, after one that is not counted [s].
 inline double median_processor_seconds(int times, const std::function<void()>& work) {
