@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""The second paper's study (docs/sample_14.md): study.py PACKSTONE FOLDER [--shallow | --reduced] [--check]
+"""The second paper's study (docs/sample_14.md): study.py PACKSTONE FOLDER [--shallow | --reduced] [--only=MIXTURE,...] [--check]
 
 Spheres of three mixtures sink without inertia, and fall with it, from the same places in a cylinder; fractions, volume
 under the free surface both ways, coordination numbers. --shallow: 20,000 spheres instead of 80,000. --reduced: 2000 in a
-cylinder of fifteen radii, equal and 2. Both with contacts a tenth as stiff and a coarser balance. With --check the exit code says whether the figures are the paper's, within what a bed so small allows.
+cylinder of fifteen radii, equal and 2. Both with contacts a tenth as stiff and a coarser balance. --only: of equal,
+uniform_1.5, uniform_2. With --check the exit code says whether the figures are the paper's, within what a bed so small
+allows.
 """
 import json
 import math
@@ -106,6 +108,9 @@ reduced, shallow = "--reduced" in sys.argv, "--shallow" in sys.argv
 deep = not (reduced or shallow)
 count, cylinder = (2000, 0.15) if reduced else (20000, 0.5) if shallow else (80000, 0.5)
 mixtures = ["equal", "uniform_2"] if reduced else list(RATIOS)
+for word in sys.argv:
+    if word.startswith("--only="):
+        mixtures = word.removeprefix("--only=").split(",")
 results = {f"{motion} {mixture}": measured(packstone, folder, mixture, motion, count, cylinder)
            for mixture in mixtures for motion in MOTIONS}
 tell(results)
