@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/run_verdict_json.hpp"
 #include "core/units.hpp"
 
 namespace packstone {
@@ -63,7 +64,7 @@ void prepare_folder(const fs::path& path, bool overwrite) {
       throw InputError(path.string() +
                        ": holds a run already; name another folder with -o, or replace it with --overwrite");
     }
-    for (const char* part : {"snapshots", "history.csv", "scene.toml", "run.json"}) {
+    for (const char* part : {"snapshots", failing_state_name, "history.csv", "scene.toml", "run.json"}) {
       fs::remove_all(path / part, error);
       if (error) throw InputError((path / part).string() + ": cannot be replaced: " + error.message());
     }
@@ -143,6 +144,8 @@ RunRecord RunReader::record() const {
     r.seed = json.at("seed");
     r.threads = json.at("threads");
     r.reason = json.at("reason");
+    if (json.contains("failure")) r.failure = run_verdict_from(json.at("failure"));
+    for (const auto& doubt : json.value("doubts", ordered_json::array())) r.doubts.push_back(run_verdict_from(doubt));
     r.warnings = json.at("warnings").get<std::vector<std::string>>();
     r.wall_seconds = json.at("wall_seconds");
     r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the four
@@ -196,6 +199,8 @@ void RunWriter::write_record(const RunRecord& r) const {
                        {"list_seconds", r.list_seconds},
                        {"list_builds", r.list_builds},
                        {"processor_seconds", r.processor_seconds}};
+  if (r.failure) json["failure"] = to_json(*r.failure);
+  for (const RunVerdict& doubt : r.doubts) json["doubts"].push_back(to_json(doubt));
   if (!r.ending.empty()) {
     json["integrator_steps"] = r.integrator_steps;
     json["ending"] = r.ending;
@@ -208,6 +213,10 @@ void RunWriter::write_snapshot(const Snapshot& snapshot) {
   packstone::write_snapshot(path_ / "snapshots" / name, snapshot);
   series_.emplace_back(name, snapshot.time);
   write_series();
+}
+
+void RunWriter::write_failing_state(const Snapshot& snapshot) const {
+  packstone::write_snapshot(path_ / failing_state_name, snapshot);
 }
 
 void RunWriter::write_series() const {

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/formats/packing_series.hpp"
 #include "core/history.hpp"
 #include "core/open_snapshot.hpp"
+#include "core/run_verdict.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone {
@@ -18,6 +20,9 @@ namespace packstone {
 enum class RunStatus { running, finished, failed, interrupted };
 
 const char* to_string(RunStatus status);
+
+/// Of a run folder that the monitor stopped: a snapshot with the field `offender`.
+inline constexpr const char* failing_state_name = "failure.vtkhdf";
 
 /// run.json: where the data come from.
 struct RunRecord {
@@ -31,7 +36,9 @@ struct RunRecord {
   std::uint64_t seed = 0;
   int threads = 1;
   RunStatus status = RunStatus::running;
-  std::string reason;  ///< why it failed or was interrupted
+  std::string reason;                   ///< why it failed or was interrupted
+  std::optional<RunVerdict> failure{};  ///< why the monitor stopped it
+  std::vector<RunVerdict> doubts{};     ///< why a run that went on is not to be trusted
   std::vector<std::string> warnings;
   double wall_seconds = 0;
   double loop_seconds = 0;       ///< of it in time steps, lists of neighbours included
@@ -87,6 +94,8 @@ class RunWriter {
   void write_scene(const std::string& text) const;
   void write_record(const RunRecord& record) const;
   void write_snapshot(const Snapshot& snapshot);
+  /// The state in which the run was stopped, beside the series, of which it is no part.
+  void write_failing_state(const Snapshot& snapshot) const;
   /// The first row fixes the columns.
   void append_history(const std::vector<std::string>& columns, const std::vector<double>& row);
 

@@ -1,8 +1,10 @@
 #include "engine/gravity.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/run_verdict.hpp"
 
 namespace packstone::engine {
 
@@ -19,7 +21,15 @@ Vec3 Gravity::at(double time) const {
   if (formula_.empty()) return spec_.acceleration;
   const Vec3 value(formula_[0]({time}), formula_[1]({time}), formula_[2]({time}));
   if (value.allFinite()) return value;
-  throw RunError(fmt::format("t = {:.6g} s: gravity.formula is not a number; change it, or set gravity.end", time));
+  RunVerdict v{FailureKind::formula_not_a_number};
+  v.time = time;
+  v.quantity = "gravity.formula";
+  v.value = std::numeric_limits<double>::quiet_NaN();
+  v.unit = "m/s2";
+  v.what = "gravity.formula is not a number";
+  v.advice = "change it, or set gravity.end";
+  v.remedies = {{"gravity.formula"}, {"gravity.end", fmt::format("{:.6g} s", time)}};
+  throw RunFailure(v);
 }
 
 }  // namespace packstone::engine

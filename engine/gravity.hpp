@@ -14,7 +14,7 @@ class Gravity {
   explicit Gravity(const Scene& scene);
 
   bool acts(double time) const;
-  /// Acceleration; 0 while it does not act [m/s2]. Throws RunError where a formula gives no number.
+  /// Acceleration; 0 while it does not act [m/s2]. Throws RunFailure where a formula gives no number.
   Vec3 at(double time) const;
 
  private:

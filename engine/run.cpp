@@ -57,6 +57,13 @@ RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, 
   SimulationEvents events;
   events.snapshot = [&](const Snapshot& snapshot) { writer.write_snapshot(snapshot); };
   events.history = [&](const auto& columns, const auto& row) { writer.append_history(columns, row); };
+  events.failure = [&](const Snapshot& snapshot) {
+    try {
+      writer.write_failing_state(snapshot);
+    } catch (const RunError& error) {
+      if (control.warn) control.warn(error.what());  // why the run was stopped says more
+    }
+  };
   events.progress = control.progress;
   events.should_stop = control.should_stop;
 
@@ -66,6 +73,7 @@ RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, 
     record.status = status;
     record.reason = reason;
     record.warnings = simulation.warnings();
+    record.doubts = simulation.doubts();
     record.wall_seconds = clock.seconds();
     record.processor_seconds = processor_seconds() - processor_before;
     record.loop_seconds = simulation.loop_seconds();
@@ -79,6 +87,7 @@ RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, 
     simulation.run(events);
   } catch (const std::exception& end) {
     const bool interrupted = dynamic_cast<const Interrupted*>(&end) != nullptr;
+    if (const auto* failure = dynamic_cast<const RunFailure*>(&end)) record.failure = failure->verdict();
     try {
       finish(interrupted ? RunStatus::interrupted : RunStatus::failed, end.what());
     } catch (const RunError&) {

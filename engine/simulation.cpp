@@ -14,6 +14,7 @@
 #include "core/version.hpp"
 #include "engine/dynamics/make_particles.hpp"
 #include "engine/dynamics/overdamped.hpp"
+#include "engine/failing_state.hpp"
 #include "engine/filling/filling.hpp"
 #include "engine/filling/growth.hpp"
 #include "engine/filling/population.hpp"
@@ -257,15 +258,53 @@ void Simulation::begin_stage(std::int64_t number) {
 
 void Simulation::check_poured(std::int64_t number) const {
   if (!pouring_ || pouring_->over()) return;
-  throw RunError(
-      fmt::format("t = {:.6g} s: {} of the {} particles have been poured by the end; the others found no room "
-                  "in the region{}: enlarge it, let particles leave it faster (filling.velocity), run longer, "
-                  "or take fewer",
-                  time_at(number), pouring_->poured(), pouring_->all().size(),
-                  scene_.filling.portions ? ", or wait for the last portion to come to rest" : ""));
+  RunVerdict verdict{FailureKind::filling_incomplete};
+  verdict.time = time_at(number);
+  verdict.quantity = "particles poured";
+  verdict.value = static_cast<double>(pouring_->poured());
+  verdict.limit = static_cast<double>(pouring_->all().size());
+  verdict.what =
+      fmt::format("{} of the {} particles have been poured by the end", pouring_->poured(), pouring_->all().size());
+  verdict.cause = "the others found no room in the region";
+  verdict.advice =
+      fmt::format("enlarge it, let particles leave it faster (filling.velocity), run longer, or take fewer{}",
+                  scene_.filling.portions ? ", or wait for the last portion to come to rest" : "");
+  verdict.remedies = {{"dynamics.duration"}, {"filling.velocity"}};
+  throw RunFailure(verdict);
 }
 
 void Simulation::run(const SimulationEvents& events) {
+  try {
+    run_steps(events);
+  } catch (const RunFailure& failure) {
+    fail(failure.verdict(), events);
+  }
+}
+
+void Simulation::fail(RunVerdict verdict, const SimulationEvents& events) const {
+  verdict.step = steps_done_;
+  if (!verdict.time) verdict.time = time_at(steps_done_);
+  const FailingState state{scene_,  domain_, particles_, boundaries_, growth_at(scene_, time_at(steps_done_)).scale,
+                           !scales_};
+  state.name_contacts(verdict);
+  if (events.failure) {
+    Snapshot snapshot = described(steps_done_);
+    Field velocity{3, "m/s", std::vector<double>(3 * snapshot.size())};
+    for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
+      if (!particles_.is_particle(slot)) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        velocity.values[3 * static_cast<std::size_t>(particles_.id[slot]) + axis] =
+            particles_.now.rows[slot].velocity[axis];
+      }
+    }
+    snapshot.fields["velocity"] = std::move(velocity);
+    state.mark(snapshot, verdict);
+    events.failure(snapshot);
+  }
+  throw RunFailure(verdict);
+}
+
+void Simulation::run_steps(const SimulationEvents& events) {
   const std::int64_t snapshot_steps = steps_in(scene_.output.interval, dt_);
   const std::int64_t history_steps = steps_in(scene_.output.history_interval, dt_);
   Recorder recorder;
@@ -314,20 +353,26 @@ void Simulation::record(std::int64_t number, const StepSums& sums, const Recorde
   account.attractive = sums.attractive;
   const double time = time_at(number);
   monitor_.check_positions(particles_, time);
-  monitor_.check_energy(account, time);
-  if (number == stages_.last_step()) monitor_.check_account(account, warnings_);
+  monitor_.check_energy(account, particles_, time);
+  if (number == stages_.last_step()) {
+    if (const auto doubt = monitor_.check_account(account, time)) {
+      doubts_.push_back(*doubt);
+      doubts_.back().step = number;
+      warnings_.push_back(doubts_.back().message());
+    }
+  }
   const Snapshot bed = geometry(number);
   const BedFrame frame = bed_frame(bed);
   const std::vector<double> potential = gravitational_energies(particles_, bed, frame, gravity_.acts(time));
   const double gravitational = std::accumulate(potential.begin(), potential.end(), 0.0);
   const BedState state =
       frame.periodic ? BedState{solid_share(bed), 0} : measure_bed(frame.height, bed.radius, frame.area);
-  const double unrest = scales_ ? sums.unbalanced_force : std::sqrt(2 * sums.kinetic_translational / present_mass());
-  if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, unrest);
+  unrest_ = scales_ ? sums.unbalanced_force : std::sqrt(2 * sums.kinetic_translational / present_mass());
+  if (pouring_) pouring_->see({frame, bed.radius, recorder.velocity, recorder.force, gravity_.at(time)}, unrest_);
   const bool all_in = time >= scene_.filling.over() && (!pouring_ || pouring_->over()) &&
                       (!scene_.gravity.present || gravity_.acts(time));
-  stages_.see(number, unrest, all_in);
-  if (scales_) ending_ = how_it_ends(unrest, stages_.at_rest(), time);
+  stages_.see(number, unrest_, all_in);
+  if (scales_) ending_ = how_it_ends(unrest_, stages_.at_rest(), time);
   if (events.history) {
     events.history(history_columns(scene_),
                    history_row(scene_, {number, time, stages_.current(), account, sums, gravitational, state,
@@ -355,7 +400,7 @@ Snapshot Simulation::geometry(std::int64_t number) const {
   return s;
 }
 
-Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) const {
+Snapshot Simulation::described(std::int64_t number) const {
   Snapshot s = geometry(number);
   s.id.resize(particles_.size());
   std::iota(s.id.begin(), s.id.end(), std::int64_t{0});
@@ -366,12 +411,6 @@ Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) con
     s.type[particles_.id[slot]] = particles_.type[slot];
     s.material[particles_.id[slot]] = particles_.material[slot];
   }
-  const FieldSources sources{particles_, recorder, s, gravity_.acts(s.time)};
-  for (const int field : scene_.output.fields) add_field(s.fields, static_cast<OutputField>(field), sources);
-  if (scene_.output.contacts) {
-    s.contacts = recorder.contacts;
-    for (Vec3& point : s.contacts->point) point = domain_.wrapped(point);
-  }
   for (const auto& material : scene_.materials) s.material_names.push_back(material.name);
   for (const auto& group : scene_.particles) {
     s.groups.push_back({group.name, group.material, scene_.materials[scene_.material_index(group.material)].density});
@@ -379,6 +418,17 @@ Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) con
   s.scene_text = scene_text_;
   s.scene_hash = scene_hash_;
   s.program = fmt::format("packstone {} (git {})", version(), git_revision());
+  return s;
+}
+
+Snapshot Simulation::snapshot(std::int64_t number, const Recorder& recorder) const {
+  Snapshot s = described(number);
+  const FieldSources sources{particles_, recorder, s, gravity_.acts(s.time)};
+  for (const int field : scene_.output.fields) add_field(s.fields, static_cast<OutputField>(field), sources);
+  if (scene_.output.contacts) {
+    s.contacts = recorder.contacts;
+    for (Vec3& point : s.contacts->point) point = domain_.wrapped(point);
+  }
   return s;
 }
 

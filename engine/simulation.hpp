@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/run_verdict.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "engine/dynamics/step.hpp"
@@ -25,6 +26,8 @@ namespace packstone::engine {
 struct SimulationEvents {
   std::function<void(const Snapshot&)> snapshot;
   std::function<void(const std::vector<std::string>& columns, const std::vector<double>& row)> history;
+  /// The state in which the run is stopped, offenders marked, before RunFailure is thrown.
+  std::function<void(const Snapshot&)> failure;
   /// Called now and then.
   std::function<void(std::int64_t step, std::int64_t steps, double time)> progress;
   /// Asked every step; true ends the run after a last snapshot, with Interrupted.
@@ -38,11 +41,15 @@ class Simulation {
   /// From particles that are in already, in place of the scene's filling.
   Simulation(const Scene& scene, const StartingState& start);
 
-  /// Runs to the scene's end on the threads OpenMP is set to. Throws RunError from the monitor, Interrupted when asked
-  /// to stop. Snapshots have the same bits for any number of threads.
+  /// Runs to the scene's end on the threads OpenMP is set to. Throws RunFailure where it has to be stopped, Interrupted
+  /// when asked to. Snapshots have the same bits for any number of threads.
   void run(const SimulationEvents& events);
 
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What warnings say of the run itself, in parts.
+  const std::vector<RunVerdict>& doubts() const { return doubts_; }
+  /// Completes a verdict by what only the state tells and hands out that state. Throws RunFailure.
+  [[noreturn]] void fail(RunVerdict verdict, const SimulationEvents& events) const;
   /// The scene as it is run: "auto" replaced by what was chosen.
   const Scene& scene() const { return scene_; }
   /// Those still to be poured included.
@@ -60,6 +67,8 @@ class Simulation {
   const std::string& ending() const { return ending_; }
   /// Whether the last stage had come to rest, as the scene defines it, when last seen.
   bool at_rest() const { return stages_.at_rest(); }
+  /// What that was told by: the root-mean-square speed [m/s], of overdamped motion the unbalanced force.
+  double unrest() const { return unrest_; }
   /// Where the particles that are in are and how they move.
   StartingState state() const;
   /// Of all particles, those still to be poured included [kg], and their volume at full size [m3].
@@ -84,6 +93,7 @@ class Simulation {
   Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring,
              const StartingState& start);
 
+  void run_steps(const SimulationEvents& events);
   /// Of particles that hardly move, whatever pushes them [J].
   double energy_noise() const;
   /// Of the particles that are in [kg].
@@ -103,10 +113,13 @@ class Simulation {
   void record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,
               const SimulationEvents& events);
   Snapshot snapshot(std::int64_t number, const Recorder& recorder) const;
+  /// With all that belongs to particles whatever they do.
+  Snapshot described(std::int64_t number) const;
   /// Position, radius, container: what every snapshot and the bed's measure need.
   Snapshot geometry(std::int64_t number) const;
 
   std::vector<std::string> warnings_;
+  std::vector<RunVerdict> doubts_;
   Population population_;
   std::optional<OverdampedScales> scales_;  ///< none of Newtonian motion
   StepLimit limit_;
@@ -126,6 +139,7 @@ class Simulation {
   Particles particles_;
   std::unique_ptr<Dynamics> dynamics_;
   Monitor monitor_;
+  double unrest_ = 0;
   std::string ending_;
   EnergyAccount account_;  ///< what has passed through up to the step's beginning
 };

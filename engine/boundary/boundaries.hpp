@@ -68,7 +68,7 @@ class Boundaries {
   /// Tells which of the scene's stages begins, and when [s].
   void begin_stage(const std::string& stage, double time);
 
-  /// Brings all to an instant. velocity_lead: as in StepInput. Throws RunError where a formula gives no number.
+  /// Brings all to an instant. velocity_lead: as in StepInput. Throws RunFailure where a formula gives no number.
   void go_to(double time, double dt, double velocity_lead);
 
   /// Moves free bodies on by a step, from the loads of the instant.

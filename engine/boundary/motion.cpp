@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/run_verdict.hpp"
 
 namespace packstone::engine {
 
@@ -20,16 +20,16 @@ constexpr double never = std::numeric_limits<double>::infinity();
 Motion::Motion(const Scene& scene, std::size_t boundary, const Vec3& point)
     : spec_(scene.boundaries[boundary].motion),
       name_(scene.boundaries[boundary].name),
+      path_(fmt::format("boundary[{}].motion", boundary)),
       start_(spec_.stage ? never : spec_.start),
       end_(spec_.stage ? never : spec_.end.value_or(never)),
       centre_(spec_.rotation_centre.value_or(point)),
       axis_(spec_.rotation_axis.normalized()) {
-  const std::string path = fmt::format("boundary[{}].motion", boundary);
   for (const std::string& text : spec_.displacement) {
-    displacement_.push_back(formula_of(scene, path + ".displacement", text, {"t"}));
+    displacement_.push_back(formula_of(scene, path_ + ".displacement", text, {"t"}));
   }
-  if (spec_.rotates) angle_.emplace(formula_of(scene, path + ".rotation.angle", spec_.angle, {"t"}));
-  if (spec_.free) force_.emplace(formula_of(scene, path + ".free.force", spec_.force, {"t"}));
+  if (spec_.rotates) angle_.emplace(formula_of(scene, path_ + ".rotation.angle", spec_.angle, {"t"}));
+  if (spec_.free) force_.emplace(formula_of(scene, path_ + ".free.force", spec_.force, {"t"}));
 }
 
 void Motion::begin_stage(const std::string& stage, double time) {
@@ -47,10 +47,15 @@ double Motion::local(double time) const { return start_ < end_ ? std::clamp(time
 double Motion::value(const Formula& formula, double t, const char* key) const {
   const double result = formula({t});
   if (std::isfinite(result)) return result;
-  throw RunError(
-      fmt::format("boundary {}: motion.{} = \"{}\" is not a number {:.6g} s after its start; change the "
-                  "formula, or end the motion before",
-                  name_, key, formula.text(), t));
+  RunVerdict v{FailureKind::formula_not_a_number};
+  v.boundaries = {name_};
+  v.quantity = fmt::format("motion.{}", key);
+  v.value = result;
+  v.what = fmt::format("boundary {}: motion.{} = \"{}\" is not a number {:.6g} s after its start", name_, key,
+                       formula.text(), t);
+  v.advice = "change the formula, or end the motion before";
+  v.remedies = {{fmt::format("{}.{}", path_, key)}, {path_ + ".end"}};
+  throw RunFailure(v);
 }
 
 Vec3 Motion::shift(double t) const {

@@ -57,6 +57,7 @@ class Motion {
 
   MotionSpec spec_;
   std::string name_;
+  std::string path_;    ///< in the scene
   double start_, end_;  ///< [s]; not yet known where its stage is still to come
   Vec3 centre_, axis_;
   std::vector<Formula> displacement_;

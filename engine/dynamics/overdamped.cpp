@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/run_verdict.hpp"
 #include "engine/block_sum.hpp"
 #include "engine/filling/growth.hpp"
 
@@ -188,19 +189,38 @@ double Overdamped::next_length(double length, double error) const {
   return length * std::clamp(share, most_shorter, most_longer);
 }
 
-void Overdamped::fail_at(double time, double length, const Moved& moved) {
-  if (scene_.dynamics.time_step) {
-    throw RunError(fmt::format(
-        "t = {:.6g} s: a particle moves {:.3g} of its radius in one step of {:.3g} s, more than {:g}: the step is "
-        "beyond "
-        "what {} can follow here; shorten dynamics.time_step or leave it to \"auto\"",
-        time, moved.farthest, length, longest_given_move,
-        method_->stable_step(system_, time) < length ? "the explicit scheme's stability" : "the integrator"));
+void Overdamped::fail_at(const Particles& particles, double time, double length, const Moved& moved) {
+  RunVerdict v{FailureKind::non_convergence};
+  v.time = time;
+  v.quantity = "way in one step over the radius";
+  v.value = moved.farthest;
+  std::string who = "a particle";
+  const auto way = [&](std::size_t s) { return (x1_[s] - x0_[s]).norm() / particles.now.rows[s].radius; };
+  for (std::size_t s = 0; s < particles.slots(); ++s) {
+    // Of several that are not numbers the first.
+    if (!particles.is_particle(s) || way(s) < moved.farthest || !v.particles.empty()) continue;
+    v.particles = {{particles.id[s], scene_.particles[particles.type[s]].name}};
+    v.place = x0_[s];
+    who = told(v.particles.front()) + " at " + told(*v.place);
   }
-  throw RunError(
-      fmt::format("t = {:.6g} s: no step is short enough, {:.3g} s was not: a particle moves {:.3g} of its "
-                  "radius; look for particles that start inside each other or a boundary",
-                  time, length, moved.farthest));
+  if (scene_.dynamics.time_step) {
+    v.kind = FailureKind::step_too_long;
+    v.limit = longest_given_move;
+    v.what = fmt::format("{} moves {:.3g} of its radius in one step of {:.3g} s, more than {:g}", who, v.value, length,
+                         v.limit);
+    v.cause = fmt::format("the step is beyond what {} can follow here", method_->stable_step(system_, time) < length
+                                                                            ? "the explicit scheme's stability"
+                                                                            : "the integrator");
+    v.advice = "shorten dynamics.time_step or leave it to \"auto\"";
+    v.remedies = {{"dynamics.time_step", "auto"}};
+  } else {
+    v.limit = longest_move;
+    v.what =
+        fmt::format("no step is short enough, {:.3g} s was not: {} moves {:.3g} of its radius", length, who, v.value);
+    v.advice = "look for particles that start inside each other or a boundary";
+    v.remedies = {{"filling.path"}};
+  }
+  throw RunFailure(v);
 }
 
 StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double time) {
@@ -235,7 +255,7 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
     if (!short_enough || !held || (given == 0 && attempt.error > tolerance)) {
       ++rejected_;
       write(particles, x0_, v0_);
-      if (given > 0 && !short_enough) fail_at(now, length, step);
+      if (given > 0 && !short_enough) fail_at(particles, now, length, step);
       if (!short_enough) {
         length_ = 0.5 * length;
       } else if (given == 0 && attempt.error > tolerance) {
@@ -246,10 +266,10 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
         renew_list(particles, now, length, share);
         length_ = given > 0 ? 0 : 0.5 * length;
       }
-      if (!last && length < shortest_share * input.dt) fail_at(now, length, step);
+      if (!last && length < shortest_share * input.dt) fail_at(particles, now, length, step);
       continue;
     }
-    if (!last && now + length == now) fail_at(now, length, step);  // time would stand still
+    if (!last && now + length == now) fail_at(particles, now, length, step);  // time would stand still
     write(particles, x1_, v1_);
     system_.field().neighbours().moved(step.share_squared, step.sum, length);
     share = list_share;

@@ -22,7 +22,7 @@ class Overdamped final : public Dynamics {
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override;
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override;
-  /// Throws RunError where a given time step is too long, or none is short enough.
+  /// Throws RunFailure where a given time step is too long, or none is short enough.
   StepSums go_on(Particles& particles, const StepInput& input, double time) override;
   bool outdated(const Growth& growth) const override;
   const std::vector<WallLoad>& wall_loads() const override { return system_.field().wall_loads(); }
@@ -50,7 +50,7 @@ class Overdamped final : public Dynamics {
   Moved moved(const Particles& particles, double length) const;
   bool list_held(const Particles& particles, const Moved& moved, double time) const;
   double next_length(double length, double error) const;
-  [[noreturn]] void fail_at(double time, double length, const Moved& moved);
+  [[noreturn]] void fail_at(const Particles& particles, double time, double length, const Moved& moved);
 
   Scene scene_;
   OverdampedSystem system_;

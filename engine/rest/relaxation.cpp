@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/run_verdict.hpp"
 #include "engine/block_sum.hpp"
 #include "engine/boundary/boundaries.hpp"
 #include "engine/dynamics/force_field.hpp"
@@ -114,11 +115,48 @@ class Relaxer {
       advance(now);
       ++done.work.steps;
     }
-    check_overlap(limits.overlap);
     done.work.loop_seconds = clock.seconds();
     done.work.list_seconds = list_seconds_;
     done.work.list_builds = field_->neighbours().builds();
     return done;
+  }
+
+  /// Throws RunFailure naming the deepest contact where that is beyond the limit.
+  void check_overlap(double limit) {
+    if (deepest_ <= limit) return;
+    const Contacts contacts = look().contacts;
+    std::vector<std::size_t> slot_of(particles_.size());
+    for (std::size_t s = 0; s < particles_.slots(); ++s) {
+      if (particles_.is_particle(s)) slot_of[particles_.id[s]] = s;
+    }
+    const auto radius = [&](std::int64_t id) { return particles_.now.rows[slot_of[id]].radius; };
+    const auto named = [&](std::int64_t id) {
+      return NamedParticle{id, scene_.particles[particles_.type[slot_of[id]]].name};
+    };
+    RunVerdict v{FailureKind::overlap};
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const std::int64_t first = contacts.first[k], second = contacts.second[k];
+      const double share = contacts.overlap[k] / (second < 0 ? radius(first) : std::min(radius(first), radius(second)));
+      if (share <= v.value) continue;
+      v.value = share;
+      v.place = domain_.wrapped(contacts.point[k]);
+      v.particles = {named(first)};
+      v.boundaries.clear();
+      second < 0 ? v.boundaries.push_back(scene_.boundaries[-1 - second].name) : v.particles.push_back(named(second));
+    }
+    v.quantity = "overlap over the smaller radius";
+    v.limit = limit;
+    v.what = fmt::format(
+        "at rest {} and {} overlap by {:.3g} of the smaller radius at {}, more than "
+        "monitor.overlap_limit = {:g}",
+        told(v.particles.front()), v.boundaries.empty() ? told(v.particles.back()) : "boundary " + v.boundaries.front(),
+        v.value, told(*v.place), limit);
+    v.cause = "the bed's weight is too much for the stiffness";
+    v.advice = "make the material stiffer or raise the limit";
+    const char* stiffness = is_hertzian(scene_.contact.normal) ? "young_modulus" : "normal_stiffness";
+    const int material = particles_.material[slot_of[v.particles.front().id]];
+    v.remedies = {{fmt::format("material[{}].{}", material, stiffness)}, {"monitor.overlap_limit"}};
+    throw RunFailure(v);
   }
 
   /// Where the particles are.
@@ -159,8 +197,8 @@ class Relaxer {
 
   double mean_net_force(const Instant& now) const { return now.net_force / static_cast<double>(particles_.size()); }
 
-  /// 0 without contacts, so that nothing counts as balanced then [N].
-  double mean_contact_force() {
+  /// Forces and contacts as they are.
+  Recorder look() {
     renew_list();
     Recorder recorder;
     recorder.want_contacts = true;
@@ -168,10 +206,15 @@ class Relaxer {
     recorder.force.resize(particles_.size());
     const StepSums sums = field_->find(particles_, input_, &recorder);
     deepest_ = sums.largest_overlap_share;
+    return recorder;
+  }
+
+  /// 0 without contacts, so that nothing counts as balanced then [N].
+  double mean_contact_force() {
+    const std::vector<Vec3> forces = look().contacts.force;
     double sum = 0;
-    for (const Vec3& force : recorder.contacts.force) sum += force.norm();
-    const auto contacts = static_cast<double>(recorder.contacts.force.size());
-    return contacts > 0 ? sum / contacts : 0;
+    for (const Vec3& force : forces) sum += force.norm();
+    return forces.empty() ? 0 : sum / static_cast<double>(forces.size());
   }
 
   double largest_over_weight() const {
@@ -219,14 +262,6 @@ class Relaxer {
     list.moved(moved.share_squared, moved.sum, step_);
   }
 
-  void check_overlap(double limit) const {
-    if (deepest_ <= limit) return;
-    throw RunError(fmt::format(
-        "at rest a contact overlaps by {:.3g} of the smaller radius, more than monitor.overlap_limit = "
-        "{:g}: the bed's weight is too much for the stiffness; make the material stiffer or raise the limit",
-        deepest_, limit));
-  }
-
   Scene scene_;
   Domain domain_;
   Boundaries boundaries_;
@@ -253,6 +288,7 @@ Relaxation relax(const Scene& scene, StartingState& state, const RelaxationLimit
   Relaxer relaxer(scene, state);
   const Relaxation done = relaxer.to(limits, should_stop);
   relaxer.tell(state);
+  relaxer.check_overlap(limits.overlap);
   return done;
 }
 

@@ -48,7 +48,8 @@ bool can_relax(const Scene& scene);
 
 /// Moves particles downhill in elastic and gravitational energy until their forces balance; velocities end at 0.
 /// Nothing is lost by what moves them: neither contact law nor inertia changes where forces balance. should_stop: may
-/// be empty; asked now and then, throws Interrupted. Throws RunError when an overlap is beyond its limit at the end.
+/// be empty; asked now and then, throws Interrupted. Throws RunFailure when an overlap is beyond its limit at the end;
+/// the state is told all the same.
 Relaxation relax(const Scene& scene, StartingState& state, const RelaxationLimits& limits,
                  const std::function<bool()>& should_stop);
 

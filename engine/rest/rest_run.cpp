@@ -20,6 +20,13 @@ constexpr double way_overlap_limit = 0.4;          ///< of the smaller radius: s
 constexpr double energy_at_rest = 5e-5;            ///< kinetic, over the sum of m g d
 constexpr std::int64_t most_relaxing_steps = 200000;
 
+constexpr double longer = 4;          ///< duration, where a bed has not come to rest in it
+constexpr double rounding_up = 1.05;  ///< of a limit that is to be met once written down
+
+Remedy longer_duration(const Scene& scene) {
+  return {"dynamics.duration", fmt::format("{:g} s", longer * scene.dynamics.duration)};
+}
+
 /// Long enough that particles that set out to fall do not count as resting: twice the time to that energy in free fall.
 double time_of_doubt(double speed, double gravity) { return 2 * speed / gravity; }
 
@@ -87,6 +94,9 @@ void RestRun::go_down(const SimulationEvents& events) {
   seen.snapshot = [&](const Snapshot& s) {
     if (events.snapshot) events.snapshot(told(s));
   };
+  seen.failure = [&](const Snapshot& s) {
+    if (events.failure) events.failure(told(s));
+  };
   try {
     soft_->run(seen);
   } catch (...) {
@@ -97,13 +107,20 @@ void RestRun::go_down(const SimulationEvents& events) {
   time_ = static_cast<double>(soft_->steps_done() + 1) * way_step();  // the next row is another state
   if (soft_->at_rest()) return;
   const DynamicsSpec& d = scene_.dynamics;
-  throw RunError(fmt::format(
-      "t = {:.6g} s: the bed has not come down in dynamics.duration: {}; give it more time", time_,
+  RunVerdict v{FailureKind::non_convergence};
+  v.quantity = d.overdamped() ? "mean unbalanced force over the mean weight" : "root-mean-square speed";
+  v.unit = d.overdamped() ? "" : "m/s";
+  v.value = soft_->unrest();
+  v.limit = d.overdamped() ? *d.rest_force : *soft_->scene().dynamics.rest_speed;
+  v.what = fmt::format(
+      "the bed has not come down in dynamics.duration: {}",
       d.overdamped()
           ? fmt::format("the mean unbalanced force is still above {:g} of the mean weight (dynamics.rest_force)",
                         *d.rest_force)
-          : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)",
-                        *d.way_energy)));
+          : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)", *d.way_energy));
+  v.advice = "give it more time";
+  v.remedies = {longer_duration(scene_)};
+  soft_->fail(v, seen);
 }
 
 Scene RestRun::at_full_stiffness() const {
@@ -137,21 +154,46 @@ SimulationEvents RestRun::counting_on(const SimulationEvents& events,
   on.progress = [this, &events, steps](std::int64_t step, std::int64_t all, double time) {
     if (events.progress) events.progress(step + steps, all + steps, time + time_);
   };
+  on.failure = [this, &events, steps](const Snapshot& s) {
+    if (!events.failure) return;
+    Snapshot later = told(s);
+    later.step += steps;
+    later.time += time_;
+    events.failure(later);
+  };
   on.should_stop = events.should_stop;
   return on;
+}
+
+void RestRun::going_on(const std::function<void()>& part) const {
+  const std::int64_t steps = done_.steps;
+  try {
+    part();
+  } catch (const RunFailure& failure) {
+    RunVerdict later = failure.verdict();
+    later.step = later.step.value_or(0) + steps;
+    later.time = later.time.value_or(0) + time_;
+    throw RunFailure(later);
+  }
 }
 
 void RestRun::balance(StartingState state, const SimulationEvents& events) {
   const RelaxationLimits limits{*scene_.dynamics.unbalanced_force, most_relaxing_steps, scene_.monitor.overlap_limit};
   Scene full = at_full_stiffness();
-  const Relaxation relaxed = relax(full, state, limits, events.should_stop);
+  Relaxation relaxed;
+  try {
+    relaxed = relax(full, state, limits, events.should_stop);
+  } catch (const RunFailure& failure) {
+    going_on([&] { Simulation(full, state).fail(failure.verdict(), counting_on(events, {})); });
+  }
   done_ += relaxed.work;
   // A step of the scene's own motion, whose beginning is the last row and snapshot: at its end the hysteretic law
   // would already jitter.
   full.dynamics.duration = full.output.interval = full.output.history_interval =
       full_.overdamped() ? full_.overdamped()->contact_time : *full.dynamics.time_step;
   Simulation last(full, state);
-  last.run(counting_on(events, [](std::int64_t step) { return step == 0; }));
+  const SimulationEvents on = counting_on(events, [](std::int64_t step) { return step == 0; });
+  going_on([&] { last.run(on); });
   present_ = last.present_count();
   const std::string steps =
       full_.overdamped() ? fmt::format("{} steps", work_.steps) : fmt::format("{:.3g} us steps", 1e6 * way_step());
@@ -160,13 +202,19 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
       "{:.3g} s, then {} steps of relaxation at full stiffness",
       relaxed.balance.unbalanced <= limits.unbalanced ? "at rest" : "not at rest", relaxed.balance.unbalanced,
       relaxed.balance.largest_over_weight, way_.factor, steps, time_, relaxed.work.steps);
-  if (relaxed.balance.unbalanced > limits.unbalanced) {
-    throw RunError(
-        fmt::format("after {} steps of relaxation the mean net force is {:.3g} of the mean contact force, "
-                    "not {:g} (dynamics.unbalanced_force); raise that, or lower dynamics.{}",
-                    relaxed.work.steps, relaxed.balance.unbalanced, limits.unbalanced,
-                    scene_.dynamics.overdamped() ? "rest_force" : "way_energy"));
-  }
+  if (relaxed.balance.unbalanced <= limits.unbalanced) return;
+  RunVerdict v{FailureKind::non_convergence};
+  v.quantity = "mean net force over the mean contact force";
+  v.value = relaxed.balance.unbalanced;
+  v.limit = limits.unbalanced;
+  v.what = fmt::format(
+      "after {} steps of relaxation the mean net force is {:.3g} of the mean contact force, not {:g} "
+      "(dynamics.unbalanced_force)",
+      relaxed.work.steps, v.value, v.limit);
+  const std::string earlier = scene_.dynamics.overdamped() ? "dynamics.rest_force" : "dynamics.way_energy";
+  v.advice = fmt::format("raise that, or lower {}", earlier);
+  v.remedies = {{"dynamics.unbalanced_force", fmt::format("{:.3g}", rounding_up * v.value)}, {earlier}};
+  going_on([&] { last.fail(v, on); });
 }
 
 void RestRun::settle(const StartingState& state, const SimulationEvents& events) {
@@ -174,22 +222,36 @@ void RestRun::settle(const StartingState& state, const SimulationEvents& events)
   full.dynamics.duration = std::max(scene_.dynamics.duration - time_, *full.dynamics.time_step);
   if (!full.dynamics.rest_speed) full.dynamics.rest_speed = speed_at(energy_at_rest);
   Simulation last(full, state);
-  try {
-    last.run(counting_on(events, [](std::int64_t step) { return step > 0; }));  // the way told the first
-  } catch (...) {
+  going_on([&] {
+    // The way told the first.
+    const SimulationEvents on = counting_on(events, [](std::int64_t step) { return step > 0; });
+    try {
+      last.run(on);
+    } catch (...) {
+      count(last);
+      throw;
+    }
+    const double seconds = static_cast<double>(last.steps_done()) * *full.dynamics.time_step;
     count(last);
-    throw;
-  }
-  const double seconds = static_cast<double>(last.steps_done()) * *full.dynamics.time_step;
-  count(last);
-  ending_ = fmt::format(
-      "{}: {:.3g} of the stiffness and {:.3g} us steps for {:.3g} s, then {:.3g} s of motion at full stiffness",
-      last.at_rest() ? "at rest" : "not at rest", way_.factor, 1e6 * way_step(), time_, seconds);
-  if (last.at_rest()) return;
-  throw RunError(
-      fmt::format("t = {:.6g} s: the bed has not come to rest in dynamics.duration: the particles' "
-                  "root-mean-square speed is still above {:.3g} m/s; give it more time",
-                  time_ + seconds, *full.dynamics.rest_speed));
+    doubts_ = last.doubts();
+    for (const RunVerdict& doubt : doubts_) warnings_.push_back(doubt.message());
+    ending_ = fmt::format(
+        "{}: {:.3g} of the stiffness and {:.3g} us steps for {:.3g} s, then {:.3g} s of motion at full stiffness",
+        last.at_rest() ? "at rest" : "not at rest", way_.factor, 1e6 * way_step(), time_, seconds);
+    if (last.at_rest()) return;
+    RunVerdict v{FailureKind::non_convergence};
+    v.quantity = "root-mean-square speed";
+    v.value = last.unrest();
+    v.limit = *full.dynamics.rest_speed;
+    v.unit = "m/s";
+    v.what = fmt::format(
+        "the bed has not come to rest in dynamics.duration: the particles' root-mean-square speed is "
+        "still above {:.3g} m/s",
+        v.limit);
+    v.advice = "give it more time";
+    v.remedies = {longer_duration(scene_)};
+    last.fail(v, on);
+  });
 }
 
 void RestRun::run(const SimulationEvents& events) {

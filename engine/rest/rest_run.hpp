@@ -25,10 +25,11 @@ class RestRun {
   explicit RestRun(const Scene& scene);
 
   /// As Simulation::run. Times and steps of the way count on; accounts of energy begin anew at full stiffness. Throws
-  /// RunError also when the bed has not come down, or not to rest, in the scene's time.
+  /// RunFailure also when the bed has not come down, or not to rest, in the scene's time.
   void run(const SimulationEvents& events);
 
   const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<RunVerdict>& doubts() const { return doubts_; }
   /// At full stiffness, "auto" replaced by what was chosen.
   const Scene& scene() const { return full_.scene(); }
   std::int64_t particle_count() const { return full_.particle_count(); }
@@ -50,6 +51,8 @@ class RestRun {
  private:
   void go_down(const SimulationEvents& events);
   void count(const Simulation& simulation);
+  /// Of a part that goes on from the way, failures count steps and times on, too.
+  void going_on(const std::function<void()>& part) const;
   /// Of particles whose kinetic energy is this share of the sum of m g d, root mean square by mass [m/s]. d is midway
   /// between a group's smallest and largest.
   double speed_at(double energy_share) const;
@@ -73,6 +76,7 @@ class RestRun {
   IntegratorWork work_;
   std::string ending_;
   std::vector<std::string> warnings_;
+  std::vector<RunVerdict> doubts_;
 };
 
 }  // namespace packstone::engine
