@@ -11,6 +11,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/run_folder.hpp"
+#include "core/run_verdict_json.hpp"
 #include "core/scene.hpp"
 
 namespace packstone::cli {
@@ -33,6 +34,9 @@ ordered_json describe_run(const RunReader& run) {
     j["title"] = r.title;
     j["status"] = to_string(r.status);
     if (!r.reason.empty()) j["reason"] = r.reason;
+    if (r.failure) j["failure"] = to_json(*r.failure);
+    if (std::filesystem::exists(run.path() / failing_state_name)) j["failing_state"] = failing_state_name;
+    for (const RunVerdict& doubt : r.doubts) j["doubts"].push_back(to_json(doubt));
     j["particles"] = r.particles;
     j["steps"] = r.steps;
     j["wall_seconds"] = r.wall_seconds;

@@ -29,8 +29,8 @@ void add_picture_options(Verb& verb, PictureCall& call) {
 
 void add_look_options(Verb& verb, PictureCall& call) {
   verb.add("--color", call.color,
-           "type, material, radius, speed, a field of the snapshot, or category:FIELD for whole numbers")
-      .shows_default();
+           "type, material, radius, speed, a field of the snapshot, or category:FIELD for whole numbers [type, or "
+           "offender where a run was stopped]");
   verb.add("--range", call.range, "LOW:HIGH of the colour scale, SI");
   verb.add("--title", call.title, "Title [the run's]; - for none");
   verb.add("--supersampling", call.supersampling, "Every pixel is the mean of so many squared")

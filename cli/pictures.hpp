@@ -19,7 +19,7 @@ namespace packstone::cli {
 
 struct PictureCall {
   std::string size = "1920x1080";
-  std::string color = "type";
+  std::string color;  ///< empty: not asked for
   std::string range;
   std::string title;
   std::string ground = "white";

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/failing_view.hpp"
 #include "cli/film.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/picture_verbs.hpp"
@@ -19,7 +20,7 @@ viz::PictureOptions picture_options(const RenderCall& call, const std::vector<Ru
   viz::PictureOptions picture;
   std::tie(picture.width, picture.height) = picture_size(call.picture.size);
   picture.supersampling = call.picture.supersampling;
-  picture.color = call.picture.color;
+  if (!call.picture.color.empty()) picture.color = call.picture.color;
   picture.range = colour_range(call.picture.range);
   picture.view = viz::viewpoint_from_text(call.camera);
   picture.view.zoom = call.zoom;
@@ -46,7 +47,8 @@ viz::PictureOptions picture_options(const RenderCall& call, const std::vector<Ru
 
 namespace {
 
-void render(const RenderCall& call, viz::Ranks& ranks) {
+void render(RenderCall call, viz::Ranks& ranks) {
+  show_failure(call);
   const std::string extension = call.output.extension().string();
   check_frame_options(call.output, call.kept_frames, Film{}.frame_format);
   catch_interrupts();
@@ -81,7 +83,9 @@ void add_render(Program& program) {
   verb.add("--zoom", call->zoom, "Enlarge around the focus").between(smallest_zoom, largest_zoom).shows_default();
   verb.add("--focus", call->focus,
            "Place in the middle of the picture: X,Y,Z with units or in m [the domain's middle]");
-  verb.add("--at", call->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
+  const Option at = verb.add("--at", call->at, "Of a picture: last, first, a number, or t=SECONDS").shows_default();
+  verb.add_flag("--failure", call->failure, "Of runs that were stopped: the state in which they were, offenders marked")
+      .not_with(at);
   verb.add("--frames", call->frames, "Of a film: FIRST:LAST:STRIDE [all]");
   verb.add("--keep-frames", call->kept_frames, keep_frames_description).of_call();
   verb.add("--rate", call->rate, "Frames a second of a film").between(1, 120).shows_default();

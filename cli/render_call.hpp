@@ -25,6 +25,7 @@ struct RenderCall {
   std::string focus;
   double font_scale = 1;
   std::string at = "last";
+  bool failure = false;  ///< of run folders, the state in which they were stopped
   std::string frames;
   std::string cut;
   bool cut_through = false;

@@ -55,7 +55,7 @@ viz::SliceOptions slice_options(const SliceCall& call, const std::vector<RunRead
   viz::SliceOptions options;
   options.supersampling = call.picture.supersampling;
   take_size(call.figure, options);
-  options.color = call.picture.color;
+  if (!call.picture.color.empty()) options.color = call.picture.color;
   options.range = colour_range(call.picture.range);
   options.title = figure_title(runs, call.picture.title);
   options.columns = call.columns;

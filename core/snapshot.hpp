@@ -59,6 +59,10 @@ struct GroupRecord {
   double density = 0;  ///< [kg/m3]; 0: not known
 };
 
+/// Field of the state in which a run was stopped: 1 of the particles behind it, 2 of those in contact with them, else
+/// 0.
+inline constexpr const char* offender_field = "offender";
+
 /// Notes on what another program's file does not say (Snapshot::notes).
 inline constexpr const char* note_no_box =
     "the file has no box: the domain is the box around its spheres, not periodic";
@@ -91,7 +95,9 @@ struct Snapshot {
   std::string scene_hash;  ///< 16 hex digits
   std::string program;     ///< "packstone 0.1.0 (git abc1234)"
 
-  std::vector<std::string> notes{};  ///< what the reader of another program's file had to assume, a sentence each
+  /// What the reader of another program's file had to assume, or of the state in which a run was stopped why, a
+  /// sentence each.
+  std::vector<std::string> notes{};
 
   std::size_t size() const { return position.size(); }
 

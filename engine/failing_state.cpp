@@ -59,10 +59,31 @@ bool FailingState::touches(std::size_t slot, const Boundaries::Body& body) const
   return any;
 }
 
+void FailingState::blame_same_place(RunVerdict& verdict, const std::vector<std::size_t>& offenders) const {
+  constexpr double same_place = 1e-9;  // radii
+  for (const std::size_t a : offenders) {
+    const Row* first = other_instant(a);
+    for (std::size_t b = 0; first && b < particles.slots(); ++b) {
+      const Row* second = b != a && particles.is_particle(b) ? other_instant(b) : nullptr;
+      if (!second || domain.separation(first->position, second->position).norm() > same_place * first->radius) continue;
+      verdict.cause = fmt::format("its centre lay where that of particle {} does, and such a contact has no direction",
+                                  particles.id[b]);
+      verdict.advice = "move them apart where they come from";
+      verdict.remedies = {{"filling"}};
+      if (scene.filling.path) {
+        verdict.advice = fmt::format("move them apart in {} (filling.path)", *scene.filling.path);
+        verdict.remedies = {{"filling.path"}};
+      }
+      return;
+    }
+  }
+}
+
 void FailingState::name_contacts(RunVerdict& verdict) const {
   const std::vector<std::size_t> offenders = slots_of(particles, verdict.particles);
   if (offenders.empty()) return;
   if (!verdict.place) verdict.place = place(offenders.front());
+  if (verdict.kind == FailureKind::not_a_number) blame_same_place(verdict, offenders);
   const auto among_offenders = [&](std::size_t slot) {
     return std::find(offenders.begin(), offenders.end(), slot) != offenders.end();
   };
@@ -86,7 +107,7 @@ void FailingState::name_contacts(RunVerdict& verdict) const {
 }
 
 void FailingState::mark(Snapshot& snapshot, const RunVerdict& verdict) const {
-  snapshot.notes.push_back("the state in which the run was stopped: " + verdict.message());
+  snapshot.notes.push_back("the state in which the run was stopped: " + verdict.what);
   Field offender{1, "", std::vector<double>(snapshot.size(), 0.0)};
   for (const NamedParticle& p : verdict.touching) offender.values[static_cast<std::size_t>(p.id)] = 2;
   for (const NamedParticle& p : verdict.particles) offender.values[static_cast<std::size_t>(p.id)] = 1;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/run_verdict.hpp"
 #include "core/scene.hpp"
@@ -24,20 +25,19 @@ struct FailingState {
   /// of the first where it is not known.
   void name_contacts(RunVerdict& verdict) const;
 
-  /// Marks the verdict's particles in a snapshot of this instant, whose rows are by id: field `offender` is 1 of them,
-  /// 2 of those that touch them, 0 of the others. One whose position is not a number is put where it was at the other
-  /// instant or, if that is none either, left out; notes say so.
+  /// Marks the verdict's particles in a snapshot of this instant, whose rows are by id, by offender_field. One whose
+  /// position is not a number is put where it was at the other instant or, if that is none either, left out; notes say
+  /// so.
   void mark(Snapshot& snapshot, const RunVerdict& verdict) const;
 
  private:
   /// A position that is a number: now or, failing that, at the other instant.
   std::optional<Vec3> place(std::size_t slot) const;
+  /// Says so where an offender that is no number shared its place with another particle.
+  void blame_same_place(RunVerdict& verdict, const std::vector<std::size_t>& offenders) const;
   bool touch(std::size_t a, std::size_t b) const;
   bool touches(std::size_t slot, const Boundaries::Body& body) const;
   const Row* other_instant(std::size_t slot) const;
 };
-
-/// Name of the field.
-inline constexpr const char* offender_field = "offender";
 
 }  // namespace packstone::engine

@@ -112,6 +112,36 @@ Colouring colour_numbered(const ParticleView& particles, const std::string& name
   return colouring;
 }
 
+/// Ids of the offenders for the legend, where the snapshot's are at hand.
+std::string offenders_named(const ParticleView& particles, const Quantity& mark) {
+  constexpr std::size_t most = 3;
+  const std::vector<std::int64_t>& id = particles.snapshot->id;
+  std::set<std::int64_t> ids;
+  for (std::size_t row = 0; row < id.size(); ++row) {
+    if (mark[row] == 1) ids.insert(id[row]);
+  }
+  if (ids.empty()) return "offender";
+  std::string text = ids.size() == 1 ? "particle" : "particles";
+  std::size_t told = 0;
+  for (const std::int64_t one : ids) {
+    if (told == most) return text + ", ...";
+    text += fmt::format("{} {}", told++ ? "," : "", one);
+  }
+  return text;
+}
+
+/// Of the state in which a run was stopped: who is behind it stands out.
+Colouring colour_offenders(const ParticleView& particles) {
+  const Quantity mark{particles.fields.at(offender_field), ""};
+  Colouring colouring;
+  colouring.title = "stopped by";
+  colouring.entries = {{offending, offenders_named(particles, mark)}, {touching, "in contact"}, {no_value, "others"}};
+  colouring.colours = RowColours(mark.rows(), [mark](std::size_t row) {
+    return mark[row] == 1 ? offending : mark[row] == 2 ? touching : no_value;
+  });
+  return colouring;
+}
+
 Colouring colour_groups(const ParticleView& particles) {
   std::vector<std::string> names;
   for (const GroupRecord& group : particles.snapshot->groups) names.push_back(group.name);
@@ -125,7 +155,7 @@ ValueRange united(const std::optional<ValueRange>& a, const ValueRange& b) {
 }
 
 bool colours_categories(const std::string& name) {
-  return name == "type" || name == "material" || name.starts_with(category_prefix);
+  return name == "type" || name == "material" || name == offender_field || name.starts_with(category_prefix);
 }
 
 std::vector<std::string> colour_names(const ParticleView& particles) {
@@ -159,6 +189,10 @@ Colouring colour_particles(const ParticleView& particles, const std::string& nam
   }
   if (name == "material") {
     return colour_categories(particles.material, particles.snapshot->material_names, "material");
+  }
+  if (name == offender_field) {
+    if (!particles.fields.contains(name)) refuse(particles, name);
+    return colour_offenders(particles);
   }
   const Quantity numbers = *quantity(particles, name);
   Colouring colouring;

@@ -65,7 +65,8 @@ inline constexpr std::size_t most_named = 12;
 /// Before the name of a field whose whole numbers are categories: "category:cluster".
 inline constexpr const char* category_prefix = "category:";
 
-/// Whether the name stands for categories, which have no range: "type", "material" and those with the prefix.
+/// Whether the name stands for categories, which have no range: "type", "material", offender_field and those with the
+/// prefix.
 bool colours_categories(const std::string& name);
 
 /// "type", "material", "radius", "speed" (where there are velocities) and the fields of the snapshot.

@@ -77,7 +77,7 @@ std::vector<Colouring> colour_together(const Packings& packings, const std::stri
   if (packings.size() == 1) return colourings;
   if (name.starts_with(category_prefix)) {
     name_common_numbers(colourings);
-  } else if (colours_categories(name)) {
+  } else if (name == "type" || name == "material") {
     colour_by_common_names(packings, name, colourings);
   }
   return colourings;

@@ -22,6 +22,9 @@ inline constexpr Colour plate_fill = {232, 232, 232};  ///< walls that lie behin
 inline constexpr Colour wall_edge = {110, 110, 110};   ///< walls in outline, and cut
 inline constexpr Colour no_value = {190, 190, 190};    ///< particles whose value is not a number
 
+inline constexpr Colour offending = {213, 94, 0};  ///< particles because of which a run was stopped
+inline constexpr Colour touching = {0, 114, 178};  ///< those in contact with one
+
 /// What pictures stand on: paper, or dark for slides.
 enum class Ground { white, dark };
 

@@ -263,7 +263,7 @@ TEST_CASE("particles that overlap too much in the file stop the run with the fil
   const std::string path = (folder / "start.csv").string();
   write_text_file(path, "x,y,z,radius\n0.1,0.1,0.1,0.02\n0.13,0.1,0.1,0.02\n");
   CHECK_THROWS_WITH(run_scene(parse_scene(file_scene(path), "s.toml"), folder / "run", {}),
-                    Contains("t = 0 s: particle 0 (light) and particle 1 (light) overlap by 50.0 %") &&
+                    Contains("t = 0 s, step 0: particle 0 (light) and particle 1 (light) overlap by 50.0 %") &&
                         Contains("they overlap so in " + path) && !Contains("filling.duration"));
 }
 

@@ -81,5 +81,5 @@ TEST_CASE("a position or an energy that is not a number is reported") {
   CHECK_THROWS_WITH(monitor.check_positions(p, 0.5), Contains("t = 0.5 s") && Contains("particle 1 (heavy)"));
   EnergyAccount account;
   account.kinetic = std::nan("");
-  CHECK_THROWS_WITH(monitor.check_energy(account, 0.5), Contains("not a number"));
+  CHECK_THROWS_WITH(monitor.check_energy(account, p, 0.5), Contains("not a number"));
 }

@@ -63,3 +63,21 @@ TEST_CASE("a missing field is refused with the names there are") {
                     Contains("type, material, radius, speed, velocity") && Contains("did you mean 'velocity'?"));
   CHECK_THROWS_AS(colour_particles(snapshot, "speed", ValueRange{1, 1}), InputError);
 }
+
+TEST_CASE("the state in which a run was stopped is coloured by who is behind it") {
+  Snapshot snapshot;
+  snapshot.position.assign(4, Vec3::Zero());
+  snapshot.radius.assign(4, 0.1);
+  snapshot.id = {7, 12, 3, 40};
+  snapshot.type.assign(4, 0);
+  snapshot.material.assign(4, 0);
+  snapshot.fields[offender_field] = {1, "", {0, 1, 2, 1}};
+  const Colouring colouring = colour_particles(snapshot, offender_field, std::nullopt);
+  CHECK(colouring.colours[0] == no_value);
+  CHECK(colouring.colours[1] == offending);
+  CHECK(colouring.colours[2] == touching);
+  CHECK(colouring.entries.front().name == "particles 12, 40");
+  CHECK(colours_categories(offender_field));
+  snapshot.fields.clear();
+  CHECK_THROWS_AS(colour_particles(snapshot, offender_field, std::nullopt), InputError);
+}
