@@ -21,6 +21,10 @@ std::vector<std::size_t> slots_of(const Particles& p, const std::vector<NamedPar
 
 }  // namespace
 
+NamedParticle FailingState::named(std::size_t slot) const {
+  return {particles.id[slot], scene.particles[particles.type[slot]].name};
+}
+
 const Row* FailingState::other_instant(std::size_t slot) const {
   if (!two_instants || slot >= particles.next.rows.size()) return nullptr;
   const Row& row = particles.next.rows[slot];
@@ -62,10 +66,10 @@ bool FailingState::touches(std::size_t slot, const Boundaries::Body& body) const
 void FailingState::blame_same_place(RunVerdict& verdict, const std::vector<std::size_t>& offenders) const {
   constexpr double same_place = 1e-9;  // radii
   for (const std::size_t a : offenders) {
-    const Row* first = other_instant(a);
+    const auto first = place(a);
     for (std::size_t b = 0; first && b < particles.slots(); ++b) {
-      const Row* second = b != a && particles.is_particle(b) ? other_instant(b) : nullptr;
-      if (!second || domain.separation(first->position, second->position).norm() > same_place * first->radius) continue;
+      const auto second = b != a && particles.is_particle(b) ? place(b) : std::nullopt;
+      if (!second || domain.separation(*first, *second).norm() > same_place * particles.now.rows[a].radius) continue;
       verdict.cause = fmt::format("its centre lay where that of particle {} does, and such a contact has no direction",
                                   particles.id[b]);
       verdict.advice = "move them apart where they come from";
@@ -79,10 +83,21 @@ void FailingState::blame_same_place(RunVerdict& verdict, const std::vector<std::
   }
 }
 
+void FailingState::name_next_no_numbers(RunVerdict& verdict) const {
+  if (!two_instants || particles.next.rows.size() < particles.slots()) return;
+  for (const std::size_t slot : slots_where(
+           particles, [&](std::size_t candidate) { return !particles.next.rows[candidate].position.allFinite(); })) {
+    verdict.particles.push_back(named(slot));
+  }
+  if (verdict.particles.empty()) return;
+  verdict.what += fmt::format(", for that of {} is none", told(verdict.particles.front()));
+}
+
 void FailingState::name_contacts(RunVerdict& verdict) const {
+  if (verdict.kind == FailureKind::not_a_number && verdict.particles.empty()) name_next_no_numbers(verdict);
   const std::vector<std::size_t> offenders = slots_of(particles, verdict.particles);
   if (offenders.empty()) return;
-  if (!verdict.place) verdict.place = place(offenders.front());
+  if (const auto last = place(offenders.front()); last && !verdict.place) verdict.place = domain.wrapped(*last);
   if (verdict.kind == FailureKind::not_a_number) blame_same_place(verdict, offenders);
   const auto among_offenders = [&](std::size_t slot) {
     return std::find(offenders.begin(), offenders.end(), slot) != offenders.end();
@@ -91,7 +106,7 @@ void FailingState::name_contacts(RunVerdict& verdict) const {
          return !among_offenders(candidate) &&
                 std::any_of(offenders.begin(), offenders.end(), [&](std::size_t o) { return touch(o, candidate); });
        })) {
-    verdict.touching.push_back({particles.id[slot], scene.particles[particles.type[slot]].name});
+    verdict.touching.push_back(named(slot));
   }
   std::sort(verdict.touching.begin(), verdict.touching.end(),
             [](const NamedParticle& a, const NamedParticle& b) { return a.id < b.id; });

@@ -33,10 +33,13 @@ struct FailingState {
  private:
   /// A position that is a number: now or, failing that, at the other instant.
   std::optional<Vec3> place(std::size_t slot) const;
+  /// Of energies that are none, whose motion made them so.
+  void name_next_no_numbers(RunVerdict& verdict) const;
   /// Says so where an offender that is no number shared its place with another particle.
   void blame_same_place(RunVerdict& verdict, const std::vector<std::size_t>& offenders) const;
   bool touch(std::size_t a, std::size_t b) const;
   bool touches(std::size_t slot, const Boundaries::Body& body) const;
+  NamedParticle named(std::size_t slot) const;
   const Row* other_instant(std::size_t slot) const;
 };
 

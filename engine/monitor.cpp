@@ -70,7 +70,7 @@ void Monitor::accuse(RunVerdict& verdict, const Particles& particles, std::vecto
   slots.resize(std::min(slots.size(), most_accused));
   for (const std::size_t slot : slots) verdict.particles.push_back(named(particles, slot));
   const Vec3& p = particles.now.rows[slots.front()].position;
-  if (p.allFinite()) verdict.place = p;
+  if (p.allFinite()) verdict.place = domain_.wrapped(p);
 }
 
 std::string Monitor::step_advice() const {
@@ -159,8 +159,7 @@ RunVerdict Monitor::too_fast(const Particles& particles, const std::vector<std::
   v.what = fmt::format(
       "{} at {} moves {:.3g} m in one step, more than {:g} of its radius, and could go through a boundary; its speed "
       "is {:.3g} m/s{}",
-      told(v.particles.front()), told(particles.now.rows[first].position), speed * dt_, longest_step, speed,
-      others_likewise(slots.size()));
+      told(v.particles.front()), told(*v.place), speed * dt_, longest_step, speed, others_likewise(slots.size()));
   if (step_is_long()) {
     v.cause = "the step is too large for the contacts, which throw particles out";
     advise_step(v);
@@ -240,7 +239,7 @@ void Monitor::check_overlap(const StepSums& sums, const Particles& particles, do
   const std::size_t first = slot_of(particles, o.first);
   const Row& row = particles.now.rows[first];
   v.particles.push_back(named(particles, first));
-  v.place = row.position;
+  v.place = domain_.wrapped(row.position);
   std::vector<int> materials = {particles.material[first]};
   double radius = row.radius;
   std::string other;
@@ -255,7 +254,13 @@ void Monitor::check_overlap(const StepSums& sums, const Particles& particles, do
     const std::size_t second = slot_of(particles, o.second);
     v.particles.push_back(named(particles, second));
     materials.push_back(particles.material[second]);
-    radius = std::min(radius, particles.now.rows[second].radius);
+    const Row& partner = particles.now.rows[second];
+    const Vec3 apart = domain_.separation(partner.position, row.position);
+    if (apart.norm() > 0) {  // the point of contact
+      const double way = growth_at(scene_, time).scale * radius - 0.5 * o.overlap;
+      v.place = domain_.wrapped(row.position + way / apart.norm() * apart);
+    }
+    radius = std::min(radius, partner.radius);
     other = told(v.particles.back());
   }
   const bool crossed = behind >= 0;
@@ -266,11 +271,11 @@ void Monitor::check_overlap(const StepSums& sums, const Particles& particles, do
   if (crossed) {
     v.kind = FailureKind::wall_crossed;
     v.what = fmt::format("{} went through {} at {}: its centre is {:.3g} m behind the surface",
-                         told(v.particles.front()), other, told(row.position), behind);
+                         told(v.particles.front()), other, told(*v.place), behind);
   } else {
     v.what =
         fmt::format("{} and {} overlap by {:.1f} % of the smaller radius at {}, beyond monitor.overlap_limit = {:g} %",
-                    told(v.particles.front()), other, 100 * v.value, told(row.position), 100 * v.limit);
+                    told(v.particles.front()), other, 100 * v.value, told(*v.place), 100 * v.limit);
   }
   advise_on_overlap(v, materials, time);
   throw RunFailure(v);
