@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
+#include "core/folder_lock.hpp"
 #include "core/formats/packing_series.hpp"
 #include "core/history.hpp"
 #include "core/open_snapshot.hpp"
@@ -49,7 +51,19 @@ struct RunRecord {
   std::int64_t integrator_steps = 0;  ///< of overdamped motion
   std::string ending;                 ///< of overdamped motion: whether at rest
   std::int64_t particles = 0;
+  std::int64_t process = 0;  ///< its number and machine while it runs
+  std::string host;
 };
+
+/// What becomes of an earlier run in the folder of another.
+enum class FolderUse { refuse, replace, go_on };
+
+/// Whether the folder holds a run, that of a process killed while it began included.
+bool holds_run(const std::filesystem::path& folder);
+/// run.json. Throws InputError when it cannot be read.
+RunRecord read_record(const std::filesystem::path& folder);
+/// The snapshots of a run folder, in order.
+std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& folder);
 
 /// Reading side: a run folder, or files of packings of any program (PackingSeries) seen as a run.
 class RunReader {
@@ -87,9 +101,11 @@ class RunReader {
 /// Writing side. Every file is written under another name and renamed, history.csv excepted: it grows by whole lines.
 class RunWriter {
  public:
-  /// Creates the folder. An existing run is replaced only when overwrite is set, and only when the folder is one.
-  /// Throws InputError when it cannot be made or written.
-  RunWriter(const std::filesystem::path& path, bool overwrite);
+  /// Creates the folder, or opens one that holds a run, and keeps others out. Throws InputError when it cannot be made
+  /// or written, or another process runs into it.
+  RunWriter(const std::filesystem::path& path, FolderUse use);
+  RunWriter(const std::filesystem::path& path, bool overwrite)
+      : RunWriter(path, overwrite ? FolderUse::replace : FolderUse::refuse) {}
 
   void write_scene(const std::string& text) const;
   void write_record(const RunRecord& record) const;
@@ -99,14 +115,24 @@ class RunWriter {
   /// The first row fixes the columns.
   void append_history(const std::vector<std::string>& columns, const std::vector<double>& row);
 
+  /// How much has been written.
+  void archive(Archive& a);
+  /// Of a run that goes on: leaves in history.csv what has been written by then. Snapshots that came after are written
+  /// over, with the same bytes. Throws RunError where history.csv holds less.
+  void cut_history() const;
+  /// Has the disk take all of it: a checkpoint must not outlast what it counts.
+  void sync();
+
   const std::filesystem::path& path() const { return path_; }
 
  private:
   void write_series() const;
 
   std::filesystem::path path_;
-  std::vector<std::pair<std::string, double>> series_;
-  bool history_started_ = false;
+  FolderLock lock_;
+  std::vector<double> times_;  ///< of the snapshots [s]
+  std::size_t synced_ = 0;     ///< snapshots that are on the disk
+  std::uint64_t history_size_ = 0;
 };
 
 }  // namespace packstone

@@ -174,6 +174,8 @@ struct OutputSpec {
   std::vector<int> fields;
   bool contacts = true;
   double history_interval = 1e-3;  ///< [s]
+  static constexpr double default_checkpoint_interval = 600;
+  std::optional<double> checkpoint_interval;  ///< of wall time between checkpoints [s]
 };
 
 struct MonitorSpec {

@@ -13,4 +13,7 @@ std::optional<std::string> nearest_name(const std::string& word, const std::vect
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
 
+/// A text as one word of a shell's line.
+std::string shell_word(const std::string& text);
+
 }  // namespace packstone

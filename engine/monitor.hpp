@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/run_verdict.hpp"
 #include "core/scene.hpp"
 #include "engine/dynamics/particles.hpp"
@@ -26,6 +27,11 @@ struct EnergyAccount {
   double growth_work = 0;
   double gravity_work = 0;
   double wall_work = 0;  ///< of moving boundaries
+
+  void archive(Archive& a) {
+    a(kinetic, elastic, attractive, starting, dissipated_normal, dissipated_tangential, dissipated_resistance,
+      growth_work, gravity_work, wall_work);
+  }
 
   double mechanical() const { return kinetic + elastic + attractive; }
   double dissipated() const { return dissipated_normal + dissipated_tangential + dissipated_resistance; }
@@ -57,6 +63,8 @@ class Monitor {
 
   /// At the end: what is to be said of an account that does not close.
   std::optional<RunVerdict> check_account(const EnergyAccount& account, double time) const;
+
+  void archive(Archive& a) { a(largest_input_, lowest_unfed_); }
 
  private:
   bool is_sound(const Row& row) const;

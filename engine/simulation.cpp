@@ -30,6 +30,8 @@ namespace {
 
 constexpr std::int64_t progress_steps = 100;  ///< steps between two reports of progress
 
+bool asks(const std::function<bool()>& question) { return question && question(); }
+
 void check_periodic_sides(const Scene& scene, const Domain& domain, double largest_radius) {
   const double least = NeighbourList::least_periodic_side(largest_radius, scene.contact.van_der_waals.range());
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,6 +53,29 @@ StartingState first_particles(const Scene& scene, const Boundaries& boundaries, 
                "in it, or it is smaller than a particle");
   }
   return first;
+}
+
+constexpr const char* particles_part = "particles";
+
+/// By id.
+StartingState state_of(const Particles& particles, const Domain& domain) {
+  StartingState state;
+  state.position.resize(particles.size());
+  state.velocity.resize(particles.size());
+  state.angular_velocity.assign(particles.size(), Vec3::Zero());
+  state.radius.resize(particles.size());
+  state.type.resize(particles.size());
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) {
+    if (!particles.is_particle(slot)) continue;
+    const Row& row = particles.now.rows[slot];
+    const std::int32_t id = particles.id[slot];
+    state.position[id] = domain.wrapped(row.position);
+    state.velocity[id] = row.velocity;
+    if (particles.turns()) state.angular_velocity[id] = particles.now.spins[slot].angular_velocity;
+    state.radius[id] = row.radius;
+    state.type[id] = particles.type[slot];
+  }
+  return state;
 }
 
 /// Solid volume over the domain's: the fraction where the domain repeats along up and there is no bed.
@@ -101,6 +126,13 @@ Simulation::Simulation(const Scene& scene)
 
 Simulation::Simulation(const Scene& scene, const StartingState& start)
     : Simulation(scene, Boundaries(scene, scene.box()), nullptr, start) {}
+
+Simulation::Simulation(const Scene& scene, Archive& saved)
+    : Simulation(scene, Boundaries(scene, scene.box()),
+                 scene.filling.kind == FillingKind::pour ? std::make_unique<Pouring>(scene) : nullptr,
+                 saved_particles(saved)) {
+  archive(saved);
+}
 
 Simulation::Simulation(const Scene& scene, Boundaries&& boundaries, std::unique_ptr<Pouring>&& pouring)
     : Simulation(scene, std::move(boundaries), std::move(pouring), first_particles(scene, boundaries, pouring.get())) {}
@@ -175,23 +207,25 @@ double Simulation::solid_volume() const {
   return total;
 }
 
-StartingState Simulation::state() const {
-  StartingState state;
-  state.position.resize(particles_.size());
-  state.velocity.resize(particles_.size());
-  state.angular_velocity.assign(particles_.size(), Vec3::Zero());
-  state.radius.resize(particles_.size());
-  state.type.resize(particles_.size());
-  for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
-    if (!particles_.is_particle(slot)) continue;
-    const Row& row = particles_.now.rows[slot];
-    const std::int32_t id = particles_.id[slot];
-    state.position[id] = domain_.wrapped(row.position);
-    state.velocity[id] = row.velocity;
-    if (particles_.turns()) state.angular_velocity[id] = particles_.now.spins[slot].angular_velocity;
-    state.radius[id] = row.radius;
-    state.type[id] = particles_.type[slot];
-  }
+StartingState Simulation::state() const { return state_of(particles_, domain_); }
+
+void Simulation::archive(Archive& a) {
+  a.begin(particles_part);
+  a(filling_hash_, particles_);
+  a.begin("dynamics");
+  dynamics_->archive(a, particles_);
+  a.begin("simulation");
+  a(steps_done_, boundaries_, stages_, monitor_, account_, warnings_, ending_);
+  if (pouring_) a(*pouring_);
+}
+
+StartingState saved_particles(Archive& saved) {
+  std::string filling_hash;
+  Particles particles;
+  saved.begin(particles_part);
+  saved(filling_hash, particles);
+  StartingState state = state_of(particles, Domain{});
+  state.source_hash = filling_hash;
   return state;
 }
 
@@ -228,16 +262,30 @@ StepSums Simulation::step(std::int64_t number, bool poured, Recorder* recorder) 
   return sums;
 }
 
-void Simulation::go_on(std::int64_t number, const SimulationEvents& events) {
+bool Simulation::go_on(std::int64_t number, const SimulationEvents& events) {
   const Stopwatch clock;
   StepInput input;
   input.dt = dt_;
-  if (events.should_stop) input.should_stop = &events.should_stop;
-  const StepSums passed = dynamics_->go_on(particles_, input, time_at(number));
+  const std::function<bool()> should_pause = [&] {
+    return asks(events.should_stop) || (events.save && asks(events.save_is_due));
+  };
+  input.should_pause = &should_pause;
+  const std::optional<StepSums> passed = dynamics_->go_on(particles_, input, time_at(number));
   loop_seconds_ += clock.seconds();
-  account(passed, 1);
-  account_.gravity_work += passed.gravity_work;
-  monitor_.check_overlap(passed, particles_, time_at(number + 1));
+  if (!passed) return false;
+  account(*passed, 1);
+  account_.gravity_work += passed->gravity_work;
+  monitor_.check_overlap(*passed, particles_, time_at(number + 1));
+  return true;
+}
+
+void Simulation::pause(bool wanted, const SimulationEvents& events) {
+  const double time = dynamics_->paused_at().value_or(time_at(steps_done_));
+  const bool stop = asks(events.should_stop);
+  if (events.save && (wanted || stop || asks(events.save_is_due))) {
+    events.save({0, steps_done_, time}, [this](Archive& a) { archive(a); });
+  }
+  if (stop) throw Interrupted(fmt::format("stopped at t = {:.6g} s, step {}", time, steps_done_));
 }
 
 bool Simulation::pour(double time) {
@@ -305,42 +353,45 @@ void Simulation::fail(RunVerdict verdict, const SimulationEvents& events) const 
 }
 
 void Simulation::run_steps(const SimulationEvents& events) {
-  const std::int64_t snapshot_steps = steps_in(scene_.output.interval, dt_);
-  const std::int64_t history_steps = steps_in(scene_.output.history_interval, dt_);
   Recorder recorder;
-  if (!scene_.stages.empty()) boundaries_.begin_stage(scene_.stages.front().name, 0);
-  for (std::int64_t number = 0;; ++number) {
-    steps_done_ = number;
-    if (number == stages_.end() && !stages_.is_last()) begin_stage(number);
-    const bool poured = pour(time_at(number));
-    const bool stop = events.should_stop && events.should_stop();
-    const bool last = stop || number == stages_.end();
-    const bool want_snapshot = last || number % snapshot_steps == 0;
-    const bool want_history = want_snapshot || number % history_steps == 0;
-    if (want_history) {
-      recorder.want_contacts = (want_snapshot && scene_.output.contacts) ||
-                               (scales_ && !scene_.gravity.present);  // whose mean force is wanted
-      recorder.velocity.resize(particles_.size());
-      recorder.force.resize(particles_.size());
-      recorder.angular_velocity.resize(rotates(scene_) ? particles_.size() : 0);
-      recorder.angular_acceleration.resize(
-          want_snapshot && wants(output_angular_acceleration) ? recorder.angular_velocity.size() : 0);
-      recorder.elastic.assign(want_snapshot && wants(output_elastic) ? particles_.size() : 0, 0.0);
-      recorder.contacts = {};
+  if (steps_done_ == 0 && !scene_.stages.empty()) boundaries_.begin_stage(scene_.stages.front().name, 0);
+  for (;; ++steps_done_) {
+    if (!dynamics_->paused_at()) {
+      pause(steps_done_ == stages_.end(), events);
+      if (!look(steps_done_, recorder, events)) return;
     }
-    const StepSums sums = step(number, poured, want_history ? &recorder : nullptr);
-    if (number > 0) account(sums, 0.5);  // the rates of an instant count half before it and half after
-    if (want_history) record(number, sums, recorder, want_snapshot, events);
-    if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps(), time_at(number));
-    if (stop) throw Interrupted(fmt::format("stopped at t = {:.6g} s, step {}", time_at(number), number));
-    if (last) {
-      check_poured(number);
-      return;
-    }
-    account(sums, 0.5);
-    account_.gravity_work += sums.gravity_work;  // done between this instant and the next
-    go_on(number, events);
+    while (!go_on(steps_done_, events)) pause(false, events);
   }
+}
+
+bool Simulation::look(std::int64_t number, Recorder& recorder, const SimulationEvents& events) {
+  if (number == stages_.end() && !stages_.is_last()) begin_stage(number);
+  const bool poured = pour(time_at(number));
+  const bool last = number == stages_.end();
+  const bool want_snapshot = last || number % steps_in(scene_.output.interval, dt_) == 0;
+  const bool want_history = want_snapshot || number % steps_in(scene_.output.history_interval, dt_) == 0;
+  if (want_history) {
+    recorder.want_contacts = (want_snapshot && scene_.output.contacts) ||
+                             (scales_ && !scene_.gravity.present);  // whose mean force is wanted
+    recorder.velocity.resize(particles_.size());
+    recorder.force.resize(particles_.size());
+    recorder.angular_velocity.resize(rotates(scene_) ? particles_.size() : 0);
+    recorder.angular_acceleration.resize(
+        want_snapshot && wants(output_angular_acceleration) ? recorder.angular_velocity.size() : 0);
+    recorder.elastic.assign(want_snapshot && wants(output_elastic) ? particles_.size() : 0, 0.0);
+    recorder.contacts = {};
+  }
+  const StepSums sums = step(number, poured, want_history ? &recorder : nullptr);
+  if (number > 0) account(sums, 0.5);  // the rates of an instant count half before it and half after
+  if (want_history) record(number, sums, recorder, want_snapshot, events);
+  if (events.progress && (last || number % progress_steps == 0)) events.progress(number, steps(), time_at(number));
+  if (last) {
+    check_poured(number);
+    return false;
+  }
+  account(sums, 0.5);
+  account_.gravity_work += sums.gravity_work;  // done between this instant and the next
+  return true;
 }
 
 void Simulation::record(std::int64_t number, const StepSums& sums, const Recorder& recorder, bool want_snapshot,

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
+#include "core/run_moment.hpp"
 #include "core/run_verdict.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
@@ -30,8 +32,12 @@ struct SimulationEvents {
   std::function<void(const Snapshot&)> failure;
   /// Called now and then.
   std::function<void(std::int64_t step, std::int64_t steps, double time)> progress;
-  /// Asked every step; true ends the run after a last snapshot, with Interrupted.
+  /// Asked every step; true ends the run with Interrupted, after save.
   std::function<bool()> should_stop;
+  /// Asked every step: whether to save now; again until it has been done.
+  std::function<bool()> save_is_due;
+  /// Keeps the state, which the function given writes. At the end of every stage as well.
+  std::function<void(const RunMoment&, const std::function<void(Archive&)>& state)> save;
 };
 
 class Simulation {
@@ -40,9 +46,12 @@ class Simulation {
   explicit Simulation(const Scene& scene);
   /// From particles that are in already, in place of the scene's filling.
   Simulation(const Scene& scene, const StartingState& start);
+  /// From where a run of the same scene was saved; what it was filled from is not needed any more. Throws InputError
+  /// where it cannot have been the same.
+  Simulation(const Scene& scene, Archive& saved);
 
-  /// Runs to the scene's end on the threads OpenMP is set to. Throws RunFailure where it has to be stopped, Interrupted
-  /// when asked to. Snapshots have the same bits for any number of threads.
+  /// Runs to the scene's end, from wherever it is, on the threads OpenMP is set to. Throws RunFailure where it has to
+  /// be stopped, Interrupted when asked to. Snapshots have the same bits for any number of threads.
   void run(const SimulationEvents& events);
 
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -71,6 +80,8 @@ class Simulation {
   double unrest() const { return unrest_; }
   /// Where the particles that are in are and how they move.
   StartingState state() const;
+  /// All that a run goes on from, with the same bits.
+  void archive(Archive& a);
   /// Of all particles, those still to be poured included [kg], and their volume at full size [m3].
   double total_mass() const;
   double solid_volume() const;
@@ -101,8 +112,12 @@ class Simulation {
   double time_at(std::int64_t step) const { return static_cast<double>(step) * dt_; }
   bool wants(OutputField field) const;
   void account(const StepSums& sums, double share);
-  /// What brings the particles to the next instant.
-  void go_on(std::int64_t number, const SimulationEvents& events);
+  /// Between two steps, or two of an integrator's own: saves if it is wanted or due, and stops when asked to.
+  void pause(bool wanted, const SimulationEvents& events);
+  /// Step `number` as far as its instant: pouring, forces, what is recorded. False when it was the last.
+  bool look(std::int64_t number, Recorder& recorder, const SimulationEvents& events);
+  /// What brings the particles to the next instant. False when it has paused on the way.
+  bool go_on(std::int64_t number, const SimulationEvents& events);
   std::unique_ptr<Dynamics> make_dynamics();
   /// poured: particles have come in since the step before.
   StepSums step(std::int64_t number, bool poured, Recorder* recorder);
@@ -143,5 +158,8 @@ class Simulation {
   std::string ending_;
   EnergyAccount account_;  ///< what has passed through up to the step's beginning
 };
+
+/// The particles of a simulation that was saved.
+StartingState saved_particles(Archive& saved);
 
 }  // namespace packstone::engine

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/scene.hpp"
 
 namespace packstone::engine {
@@ -32,6 +33,8 @@ class Stages {
   /// Whether they were at rest when last seen, as the stage defines it, or rest has ended it: unrest may be a little
   /// more again in the row after.
   bool at_rest() const { return resting_since_ >= 0; }
+
+  void archive(Archive& a) { a(current_, end_, resting_since_, ended_); }
 
  private:
   struct Stage {

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "core/boundary_options.hpp"
+#include "core/error.hpp"
 #include "engine/boundary/make_shape.hpp"
 
 namespace packstone::engine {
@@ -123,6 +126,24 @@ std::optional<std::size_t> Boundaries::plane_before(const Vec3& p) const {
     if (body.present && body.shape.is_plane() && body.shape.distance(0, body.inside(p)) <= 0) return k;
   }
   return std::nullopt;
+}
+
+void Boundaries::archive(Archive& a) {
+  a(stage_);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    Body& body = bodies_[k];
+    const std::uint64_t pieces = body.shape.pieces.size();
+    std::uint64_t pieces_then = pieces;
+    a(pieces_then);
+    if (pieces_then != pieces) {
+      throw InputError(
+          fmt::format("the surface of boundary \"{}\" has {} pieces, but had {} when the run was stopped; "
+                      "its file has changed",
+                      specs_[k].name, pieces, pieces_then));
+    }
+    a(body.present, body.pose, body.rate, body.travelled, body.speed, body.travel, body.half_speed, body.acceleration);
+    if (body.motion) a(*body.motion);
+  }
 }
 
 std::vector<BoundaryRecord> Boundaries::records() const {

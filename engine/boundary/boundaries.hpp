@@ -80,6 +80,9 @@ class Boundaries {
   /// The first plane that a point is behind.
   std::optional<std::size_t> plane_before(const Vec3& p) const;
 
+  /// How they have moved. Throws InputError where a surface has other pieces than when it was written.
+  void archive(Archive& a);
+
   /// As snapshots hold them.
   std::vector<BoundaryRecord> records() const;
 

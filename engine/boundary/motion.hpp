@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/scene.hpp"
 #include "engine/formula.hpp"
 
@@ -16,6 +17,8 @@ struct Pose {
   Vec3 shift = Vec3::Zero();   ///< [m]
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
+  void archive(Archive& a) { a(centre, shift, turn); }
+
   Vec3 operator()(const Vec3& x) const { return centre + shift + turn * (x - centre); }
   /// The way back.
   Vec3 inverse(const Vec3& x) const { return centre + turn.transpose() * (x - centre - shift); }
@@ -25,6 +28,8 @@ struct Pose {
 struct PoseRate {
   Vec3 velocity = Vec3::Zero();          ///< of the centre [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+
+  void archive(Archive& a) { a(velocity, angular_velocity); }
 
   Vec3 at(const Vec3& x, const Pose& pose) const {
     return velocity + angular_velocity.cross(x - pose.centre - pose.shift);
@@ -40,6 +45,9 @@ class Motion {
 
   /// Tells which stage begins, and when [s].
   void begin_stage(const std::string& stage, double time);
+
+  /// What its stages have set.
+  void archive(Archive& a) { a(start_, end_); }
 
   Pose at(double time) const;
   /// Rate over the time between two instants [s].

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/archive.hpp"
+
 namespace packstone::engine {
 
 /// The margin of particle i is size_share R_i + 1.25 life |v_i - u| [m], u the particles' mean velocity: what it may
@@ -14,6 +16,8 @@ struct Margins {
   double life = 0;  ///< that the list is meant to have [s]
 
   static constexpr double flight_allowance = 1.25;
+
+  void archive(Archive& a) { a(size_share, life); }
 };
 
 /// Weighs the length of the list, which every step pays for, against the work of building it. Decides from what the
@@ -32,6 +36,8 @@ class MarginPolicy {
   /// Whether a narrower list would pay within as many steps again as the present one has served. Looks at a few ages
   /// only.
   bool worth_renewing(double used, std::int64_t steps, double dt) const;
+
+  void archive(Archive& a) { a(margins_, agitation_, mean_speed_); }
 
  private:
   Margins balanced(double agitation, double dt, double mean_speed) const;

@@ -271,6 +271,12 @@ void NeighbourList::moved(double largest_share_squared, const Vec3& displacement
   common_ = std::max(expected, expected_displacement().norm());
 }
 
+void NeighbourList::archive(Archive& a) {
+  a(policy_, groups_, blocks_, entries_, reference_, inverse_margin_squared_, builds_, pairs_);
+  a(steps_, largest_scale_, used_squared_, dt_, particles_, displacement_, displacement_before_, common_, life_,
+    mean_radius_, mean_velocity_);
+}
+
 bool NeighbourList::outdated(const Growth& growth) const {
   if (builds_ == 0 || !(used_squared_ < 1) || growth.scale > largest_scale_) return true;
   return policy_.worth_renewing(std::sqrt(used_squared_), steps_, dt_);

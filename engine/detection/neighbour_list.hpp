@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/domain.hpp"
 #include "engine/aligned_vector.hpp"
 #include "engine/detection/hierarchical_grid.hpp"
@@ -23,6 +24,8 @@ struct NeighbourGroup {
   std::uint32_t lanes;  ///< bits of those that hold a particle; 1 for a shared group
   bool shared;          ///< all lanes belong to the particle in `slot`
   bool images;          ///< a neighbour lies across a periodic side
+
+  void archive(Archive& a) { a(slot, rows, first_row, lanes, shared, images); }
 };
 
 /// Groups that one thread takes in one go; sums over a block are made in order, whoever makes them.
@@ -51,6 +54,9 @@ class NeighbourList {
 
   /// Whether a contact could be missing, or a narrower list would pay.
   bool outdated(const Growth& growth) const;
+
+  /// The order of a list decides that of sums: one built anew would not give the same bits.
+  void archive(Archive& a);
 
   int width() const { return width_; }
   const std::vector<NeighbourGroup>& groups() const { return groups_; }

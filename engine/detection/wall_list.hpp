@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "engine/boundary/boundaries.hpp"
 #include "engine/detection/neighbour_list.hpp"
 #include "engine/dynamics/particles.hpp"
@@ -14,6 +15,7 @@ namespace packstone::engine {
 /// A piece of a boundary that a particle may touch.
 struct WallEntry {
   static constexpr std::int32_t none = -1;
+  static constexpr bool solid = true;
 
   std::int32_t piece = none;  ///< of the body's shape
   std::int16_t body = 0;
@@ -44,6 +46,8 @@ class WallList {
 
   /// Whether a contact could be missing.
   bool outdated(const NeighbourList& list) const;
+
+  void archive(Archive& a) { a(parts_, margin_, travelled_, seats_, entries_, planes_); }
 
   int width() const { return width_; }
   /// Of a group, whose lanes are divided into parts as wide as lanes of motion.

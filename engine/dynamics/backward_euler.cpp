@@ -59,6 +59,8 @@ class BackwardEuler final : public OverdampedMethod {
     return made;
   }
 
+  void archive(Archive&) override {}
+
   int error_order() const override { return 2; }
   bool ends_with_velocity() const override { return false; }
   double stable_step(OverdampedSystem&, double) override { return std::numeric_limits<double>::infinity(); }

@@ -33,6 +33,7 @@ class CentralForces final : public ForceField {
   StepSums find(Particles& particles, const StepInput& input, Recorder* recorder) override {
     return step_.advance(particles, input, recorder);
   }
+  void archive(Archive& a, Particles& particles) override { step_.archive(a, particles); }
   NeighbourList& neighbours() override { return step_.list(); }
   const WallList& walls() override { return step_.walls(); }
   const std::vector<WallLoad>& wall_loads() const override { return step_.wall_loads(); }

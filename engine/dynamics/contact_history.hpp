@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "engine/aligned_vector.hpp"
 #include "engine/detection/neighbour_list.hpp"
 #include "engine/detection/wall_list.hpp"
@@ -59,6 +60,8 @@ class ContactMemory {
   void none(std::int64_t row) {
     if (touched_[row] != 0) touched_[row] = 0;
   }
+
+  void archive(Archive& a) { a(width_, values_, touched_); }
 
   int width() const { return width_; }
   bool touched(std::int64_t row, int lane) const { return (touched_[row] >> lane & 1u) != 0; }

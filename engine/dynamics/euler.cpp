@@ -27,6 +27,8 @@ class Euler final : public OverdampedMethod {
     return made;
   }
 
+  void archive(Archive& a) override { a(rate_, calls_); }
+
   int error_order() const override { return 2; }
   bool ends_with_velocity() const override { return true; }
 

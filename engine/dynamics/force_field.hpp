@@ -25,6 +25,9 @@ class ForceField {
   /// How the forces of contacts change, where the particles are.
   virtual void linearise(const Particles& particles, double scale, ContactMatrix& matrix) = 0;
 
+  /// As Dynamics::archive.
+  virtual void archive(Archive& a, Particles& particles) = 0;
+
   virtual NeighbourList& neighbours() = 0;
   virtual const WallList& walls() = 0;
   virtual const std::vector<WallLoad>& wall_loads() const = 0;

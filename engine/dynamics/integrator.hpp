@@ -11,6 +11,8 @@ namespace packstone::engine {
 struct DrivenWork {
   double growth = 0, walls = 0;
 
+  void archive(Archive& a) { a(growth, walls); }
+
   DrivenWork& operator+=(const DrivenWork& o) {
     growth += o.growth;
     walls += o.walls;
@@ -44,6 +46,9 @@ class OverdampedMethod {
   virtual ~OverdampedMethod() = default;
 
   virtual Attempt attempt(OverdampedSystem& system, const MotionStep& step) = 0;
+
+  /// What it keeps from step to step.
+  virtual void archive(Archive& a) = 0;
 
   /// An error goes as the step's length to this power.
   virtual int error_order() const = 0;

@@ -48,9 +48,16 @@ class NewtonianStep final : public Dynamics {
 
   bool outdated(const Growth& growth) const override { return list_.outdated(growth) || walls_.outdated(list_); }
 
-  StepSums go_on(Particles& particles, const StepInput& /*input*/, double /*time*/) override {
+  std::optional<StepSums> go_on(Particles& particles, const StepInput& /*input*/, double /*time*/) override {
     std::swap(particles.now, particles.next);
-    return {};
+    return StepSums{};
+  }
+
+  void archive(Archive& a, Particles& particles) override {
+    a(list_, walls_, history_.pairs, history_.walls);
+    if (!a.reads() || list_.builds() == 0) return;
+    look_whether_alike(particles);
+    from_walls_.make_room();
   }
 
   void rebuild(Particles& particles, const Growth& growth, double dt) override { rebuild(particles, growth, dt, 0); }

@@ -223,17 +223,25 @@ void Overdamped::fail_at(const Particles& particles, double time, double length,
   throw RunFailure(v);
 }
 
-StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double time) {
+std::optional<double> Overdamped::paused_at() const { return way_ ? std::optional(way_->now) : std::nullopt; }
+
+void Overdamped::archive(Archive& a, Particles& particles) {
+  a(length_, pace_, fresh_, power_, mobile_, steps_, rejected_, way_);
+  method_->archive(a);
+  system_.archive(a, particles);
+}
+
+std::optional<StepSums> Overdamped::go_on(Particles& particles, const StepInput& input, double time) {
   const double end = time + input.dt;
   const double given = scene_.dynamics.time_step.value_or(0);
   const double tolerance = *scene_.dynamics.tolerance;
-  StepSums passed;
-  double share = list_share;
-  system_.forget_instant();
-  for (double now = time; now < end;) {
-    if (input.should_stop && (*input.should_stop)()) {
-      throw Interrupted(fmt::format("stopped at t = {:.6g} s, between two looks at the run", now));
-    }
+  if (!way_) {
+    way_ = Way{time, {}, list_share};
+    system_.forget_instant();
+  }
+  auto& [now, passed, share] = *way_;
+  while (now < end) {
+    if (input.should_pause && (*input.should_pause)()) return std::nullopt;
     if (outdated(growth_at(scene_, now))) {
       renew_list(particles, now, std::min(length_ > 0 ? length_ : input.dt, end - now), list_share);
     }
@@ -284,7 +292,9 @@ StepSums Overdamped::go_on(Particles& particles, const StepInput& input, double 
     length_ = std::max(next_length(length, attempt.error), length < planned ? planned : 0.0);
     now = last ? end : now + length;
   }
-  return passed;
+  const StepSums all = passed;
+  way_.reset();
+  return all;
 }
 
 }  // namespace packstone::engine

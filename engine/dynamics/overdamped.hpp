@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/dynamics/integrator.hpp"
@@ -23,7 +24,9 @@ class Overdamped final : public Dynamics {
   void rebuild(Particles& particles, const Growth& growth, double dt) override;
   StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) override;
   /// Throws RunFailure where a given time step is too long, or none is short enough.
-  StepSums go_on(Particles& particles, const StepInput& input, double time) override;
+  std::optional<StepSums> go_on(Particles& particles, const StepInput& input, double time) override;
+  std::optional<double> paused_at() const override;
+  void archive(Archive& a, Particles& particles) override;
   bool outdated(const Growth& growth) const override;
   const std::vector<WallLoad>& wall_loads() const override { return system_.field().wall_loads(); }
   const NeighbourList& neighbours() const override { return system_.field().neighbours(); }
@@ -39,6 +42,15 @@ class Overdamped final : public Dynamics {
     double work = 0;  ///< of gravity [J]
 
     Moved& operator+=(const Moved& o);
+  };
+
+  /// How far go_on has come.
+  struct Way {
+    double now = 0;  ///< [s]
+    StepSums passed;
+    double share = 0;  ///< of its radius, that each particle may move at least while the next list serves
+
+    void archive(Archive& a) { a(now, passed, share); }
   };
 
   void read(const Particles& particles);
@@ -61,6 +73,7 @@ class Overdamped final : public Dynamics {
   DrivenWork power_;        ///< at the instant [W]
   std::size_t mobile_ = 0;  ///< particles when they were last looked at
   std::int64_t steps_ = 0, rejected_ = 0;
+  std::optional<Way> way_;  ///< none between two calls that arrive
   SlotVectors x0_, v0_, x1_, v1_;
 };
 

@@ -34,6 +34,12 @@ void OverdampedSystem::take(Particles& particles) {
                  static_cast<double>(std::max<std::size_t>(particles.size(), 1));
 }
 
+void OverdampedSystem::archive(Archive& a, Particles& particles) {
+  a(instant_, gravity_now_, evaluations_);
+  field_->archive(a, particles);
+  if (a.reads() && field_->neighbours().builds() > 0) take(particles);
+}
+
 void OverdampedSystem::go_to(double time, double dt) {
   if (time == instant_) return;
   instant_ = time;

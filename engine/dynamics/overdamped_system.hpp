@@ -30,6 +30,9 @@ class OverdampedSystem {
   /// How the forces last found change; by its entries alone where x was not changed since.
   const ContactMatrix& linearised(double time);
 
+  /// As Dynamics::archive.
+  void archive(Archive& a, Particles& particles);
+
   std::size_t slots() const { return mobility_.size(); }
   /// 1/mu by slot [m/(N s)].
   const std::vector<double>& mobility() const { return mobility_; }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/vec3.hpp"
 #include "engine/aligned_vector.hpp"
 
@@ -19,6 +20,7 @@ struct VectorArray {
     for (auto* component : {&x, &y, &z}) component->resize(n, 0.0);
   }
   bool empty() const { return x.empty(); }
+  void archive(Archive& a) { a(x, y, z); }
   Vec3 get(std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, const Vec3& v) {
     x[i] = v[0];
@@ -30,6 +32,7 @@ struct VectorArray {
 /// What a contact sees of a particle: one cache line.
 struct alignas(64) Row {
   static constexpr std::uint32_t doubles = 8, velocity_at = 4;  ///< for reading columns of numbers out of rows
+  static constexpr bool solid = true;
 
   Vec3 position = Vec3::Zero();  ///< [m]; leaves the box along periodic axes until the list is built anew
   double radius = 0;             ///< at full size [m]
@@ -42,6 +45,7 @@ static_assert(offsetof(Row, velocity) == Row::velocity_at * sizeof(double));
 /// How it turns; where anything does.
 struct alignas(32) Spin {
   static constexpr std::uint32_t doubles = 4;
+  static constexpr bool solid = true;
 
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
   double unused = 0;
@@ -51,6 +55,7 @@ static_assert(sizeof(Spin) == Spin::doubles * sizeof(double));
 /// What a contact in single precision sees of a particle: half a cache line.
 struct alignas(32) CompactRow {
   static constexpr std::uint32_t words = 8, velocity_at = 4;  ///< for reading columns of words out of rows
+  static constexpr bool solid = true;
 
   std::array<std::int32_t, 3> place = {};  ///< position in steps of Places, modulo 2^32
   float radius = 0;  ///< at full size [m]; not a number in the slot of nobody, so that nothing touches
@@ -63,6 +68,7 @@ static_assert(offsetof(CompactRow, velocity) == CompactRow::velocity_at * sizeof
 /// How it turns, in single precision.
 struct alignas(16) CompactSpin {
   static constexpr std::uint32_t words = 4;
+  static constexpr bool solid = true;
 
   std::array<float, 3> angular_velocity = {};  ///< [rad/s]
   float unused = 0;
@@ -77,6 +83,8 @@ struct Places {
   /// Added to this, x times per_metre leaves its nearest integer, modulo 2^32, in the low word of the sum: 1.5 * 2^52
   /// less a multiple of 2^32 that brings the middle of the box near to 0.
   Vec3 integer_in_low_word = Vec3::Zero();
+
+  void archive(Archive& a) { a(per_metre, metres, integer_in_low_word); }
 };
 
 /// One instant; kept twice, one read while the other is written.
@@ -85,6 +93,8 @@ struct Kinematics {
   AlignedVector<Spin> spins;                 ///< empty where nothing turns
   AlignedVector<CompactRow> compact_rows;    ///< empty in double precision
   AlignedVector<CompactSpin> compact_spins;  ///< empty in double precision or where nothing turns
+
+  void archive(Archive& a) { a(rows, spins, compact_rows, compact_spins); }
 };
 
 /// Everything a particle keeps from step to step, by slot. Some slots are empty: those that fill up the last lanes, and
@@ -122,6 +132,10 @@ struct Particles {
   void reorder(const std::vector<std::int32_t>& from);
   /// Makes the compact rows from the others. period: of the places, along each axis [m]; middle: of the box [m].
   void make_compact(const Vec3& period, const Vec3& middle);
+
+  void archive(Archive& a) {
+    a(now, next, half_velocity, half_angular_velocity, force, mass, inverse_inertia, id, type, material, count, places);
+  }
 };
 
 /// Radii as a share of full size; 1 and 0 outside a growth filling.

@@ -86,6 +86,8 @@ class RungeKuttaChebyshev final : public OverdampedMethod {
     return made;
   }
 
+  void archive(Archive& a) override { a(rate_); }
+
   int error_order() const override { return 3; }
   bool ends_with_velocity() const override { return true; }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "engine/boundary/boundaries.hpp"
@@ -25,8 +26,8 @@ struct StepInput {
   /// By which the velocity that contacts see in the next step is ahead of the half step [s]; none where the particles
   /// were made for ContactVelocity::half_step.
   double velocity_lead = 0;
-  /// Asked between the steps of an integrator that takes many; null: it goes on.
-  const std::function<bool()>* should_stop = nullptr;
+  /// Asked between the steps of an integrator that takes many: whether to pause there; null: it goes on.
+  const std::function<bool()>* should_pause = nullptr;
   /// By which the velocity that contacts see is behind their positions [s].
   double velocity_lag() const { return 0.5 * dt - velocity_lead; }
 };
@@ -36,6 +37,8 @@ struct Offence {
   std::int64_t first = 0;
   std::int64_t second = 0;  ///< particle, or -1-k for boundary k
   double overlap = 0;       ///< [m]
+
+  void archive(Archive& a) { a(first, second, overlap); }
 };
 
 /// Sums over all particles; those marked (recorded) are only made in a recording step.
@@ -60,6 +63,12 @@ struct StepSums {
 
   double dissipated() const { return dissipated_normal + dissipated_tangential + dissipated_resistance; }
   void add(const StepSums& other);
+
+  void archive(Archive& a) {
+    a(dissipated_normal, dissipated_tangential, dissipated_resistance, growth_work, gravity_work, wall_work,
+      largest_share_squared, offence, kinetic_translational, kinetic_rotational, elastic, attractive,
+      largest_overlap_share, largest_speed_squared, particle_contacts, wall_contacts, unbalanced_force);
+  }
 };
 
 /// Per-particle results of a recording step by id, at the instant the step begins with.
@@ -81,6 +90,8 @@ struct IntegratorWork {
   std::int64_t rejected = 0;  ///< made anew, shorter
   std::int64_t forces = 0;    ///< times that they were found
 
+  void archive(Archive& a) { a(steps, rejected, forces); }
+
   IntegratorWork& operator+=(const IntegratorWork& o) {
     steps += o.steps;
     rejected += o.rejected;
@@ -100,8 +111,15 @@ class Dynamics {
   /// Forces at `now` and, where they set accelerations, motion into `next`. recorder, by id, may be null.
   virtual StepSums advance(Particles& particles, const StepInput& input, Recorder* recorder) = 0;
 
-  /// Makes `now` the next instant, dt after a time [s]. What passed through on the way, where advance does not tell.
-  virtual StepSums go_on(Particles& particles, const StepInput& input, double time) = 0;
+  /// Makes `now` the next instant, dt after a time [s]. What passed through on the way, where advance does not tell;
+  /// nothing where it has paused: the same call goes on from there.
+  virtual std::optional<StepSums> go_on(Particles& particles, const StepInput& input, double time) = 0;
+
+  /// The time of `now` where go_on has paused [s].
+  virtual std::optional<double> paused_at() const { return std::nullopt; }
+
+  /// All that it keeps from step to step. Particles that were read belong to what is read here.
+  virtual void archive(Archive& a, Particles& particles) = 0;
 
   /// Whether the list must be built anew before forces are right again, or a narrower one would pay.
   virtual bool outdated(const Growth& growth) const = 0;

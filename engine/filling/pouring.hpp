@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/bed_frame.hpp"
 #include "core/scene.hpp"
 #include "engine/boundary/boundaries.hpp"
@@ -37,6 +38,9 @@ class Pouring {
 
   /// Those that come in now, as many as are due and find room at random places of the region; none at most steps.
   StartingState take(double time, double dt, const Particles& particles, const Boundaries& boundaries);
+
+  /// How far it has come.
+  void archive(Archive& a) { a(poured_mass_, poured_, portion_end_, draws_, next_time_, over_); }
 
  private:
   std::size_t due(double time) const;

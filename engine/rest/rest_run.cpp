@@ -43,6 +43,14 @@ Scene way_down(const Scene& scene, const Softening& way, double rest_speed, cons
   return soft;
 }
 
+/// As it was before anything moved, but for the particles' places.
+Simulation full_of(const Scene& scene, Archive* saved) {
+  return saved && scene.filling.kind != FillingKind::pour ? Simulation(scene, saved_particles(*saved))
+                                                          : Simulation(scene);
+}
+
+constexpr const char* own_part = "rest";
+
 }  // namespace
 
 double way_step(const Scene& scene, const Softening& way, const StepLimit& full_limit) {
@@ -53,15 +61,44 @@ double way_step(const Scene& scene, const Softening& way, const StepLimit& full_
   return std::min({full_step / std::sqrt(way.factor), scene.output.history_interval, scene.output.interval});
 }
 
-RestRun::RestRun(const Scene& scene) : scene_(scene), full_(scene), warnings_(full_.warnings()) {
+RestRun::RestRun(const Scene& scene) : RestRun(scene, nullptr) {}
+
+RestRun::RestRun(const Scene& scene, Archive& saved) : RestRun(scene, &saved) {}
+
+RestRun::RestRun(const Scene& scene, Archive* saved)
+    : scene_(scene), full_(full_of(scene, saved)), warnings_(full_.warnings()) {
   way_ = softening(scene, full_.population(), full_.solid_volume());
   const bool overdamped = scene.dynamics.overdamped();
   const double rest_speed = overdamped ? 0 : speed_at(*scene.dynamics.way_energy);
   const Scene soft = way_down(scene, way_, rest_speed, full_.step_limit());
+  way_step_ = overdamped ? look_interval(scene) : *soft.dynamics.time_step;
+  if (saved) {
+    saved->begin(own_part);
+    archive(*saved);
+    auto simulation = std::make_unique<Simulation>(phase_ == Phase::settling ? settling() : soft, *saved);
+    (phase_ == Phase::settling ? settling_ : soft_) = std::move(simulation);
+    return;
+  }
   soft_ = scene.filling.kind == FillingKind::pour ? std::make_unique<Simulation>(soft)
                                                   : std::make_unique<Simulation>(soft, full_.state());
-  way_step_ = overdamped ? look_interval(scene) : *soft_->scene().dynamics.time_step;
   present_ = soft_->present_count();
+}
+
+void RestRun::archive(Archive& a) { a(phase_, done_.steps, done_.list_builds, present_, time_, work_, warnings_); }
+
+SimulationEvents RestRun::saving_all(SimulationEvents events) {
+  if (!events.save) return events;
+  events.save = [this, save = std::move(events.save)](RunMoment moment, const std::function<void(Archive&)>& state) {
+    moment.phase = static_cast<std::int64_t>(phase_);
+    moment.step += done_.steps;
+    moment.time += time_;
+    save(moment, [&](Archive& a) {
+      a.begin(own_part);
+      archive(a);
+      state(a);
+    });
+  };
+  return events;
 }
 
 double RestRun::speed_at(double energy_share) const {
@@ -90,7 +127,7 @@ Snapshot RestRun::told(Snapshot snapshot) const {
 }
 
 void RestRun::go_down(const SimulationEvents& events) {
-  SimulationEvents seen = events;
+  SimulationEvents seen = saving_all(events);
   seen.snapshot = [&](const Snapshot& s) {
     if (events.snapshot) events.snapshot(told(s));
   };
@@ -105,7 +142,11 @@ void RestRun::go_down(const SimulationEvents& events) {
   }
   count(*soft_);
   time_ = static_cast<double>(soft_->steps_done() + 1) * way_step();  // the next row is another state
-  if (soft_->at_rest()) return;
+  if (soft_->at_rest()) {
+    phase_ = Phase::came_down;
+    if (seen.save) seen.save({}, [this](Archive& a) { soft_->archive(a); });
+    return;
+  }
   const DynamicsSpec& d = scene_.dynamics;
   RunVerdict v{FailureKind::non_convergence};
   v.quantity = d.overdamped() ? "mean unbalanced force over the mean weight" : "root-mean-square speed";
@@ -217,14 +258,21 @@ void RestRun::balance(StartingState state, const SimulationEvents& events) {
   going_on([&] { last.fail(v, on); });
 }
 
-void RestRun::settle(const StartingState& state, const SimulationEvents& events) {
+Scene RestRun::settling() const {
   Scene full = at_full_stiffness();
   full.dynamics.duration = std::max(scene_.dynamics.duration - time_, *full.dynamics.time_step);
   if (!full.dynamics.rest_speed) full.dynamics.rest_speed = speed_at(energy_at_rest);
-  Simulation last(full, state);
+  return full;
+}
+
+void RestRun::settle(const SimulationEvents& events) {
+  Simulation& last = *settling_;
+  const Scene& full = last.scene();
   going_on([&] {
     // The way told the first.
-    const SimulationEvents on = counting_on(events, [](std::int64_t step) { return step > 0; });
+    SimulationEvents on = counting_on(events, [](std::int64_t step) { return step > 0; });
+    on.save = saving_all(events).save;
+    on.save_is_due = events.save_is_due;
     try {
       last.run(on);
     } catch (...) {
@@ -255,10 +303,15 @@ void RestRun::settle(const StartingState& state, const SimulationEvents& events)
 }
 
 void RestRun::run(const SimulationEvents& events) {
-  go_down(events);
-  const StartingState state = soft_->state();
-  soft_.reset();
-  can_relax(scene_) ? balance(state, events) : settle(state, events);
+  if (phase_ == Phase::way) go_down(events);
+  if (phase_ == Phase::came_down) {
+    const StartingState state = soft_->state();
+    soft_.reset();
+    if (can_relax(scene_)) return balance(state, events);
+    settling_ = std::make_unique<Simulation>(settling(), state);
+    phase_ = Phase::settling;
+  }
+  settle(events);
 }
 
 }  // namespace packstone::engine

@@ -23,9 +23,11 @@ class RestRun {
  public:
   /// Checks what can be known before the run. Throws InputError located in the scene.
   explicit RestRun(const Scene& scene);
+  /// As Simulation's.
+  RestRun(const Scene& scene, Archive& saved);
 
-  /// As Simulation::run. Times and steps of the way count on; accounts of energy begin anew at full stiffness. Throws
-  /// RunFailure also when the bed has not come down, or not to rest, in the scene's time.
+  /// As Simulation::run, from wherever it is. Times and steps of the way count on; accounts of energy begin anew at
+  /// full stiffness. Throws RunFailure also when the bed has not come down, or not to rest, in the scene's time.
   void run(const SimulationEvents& events);
 
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -49,6 +51,13 @@ class RestRun {
   double way_step() const { return way_step_; }
 
  private:
+  /// Relaxation begins anew where it was stopped: it takes the same way again.
+  enum class Phase : std::uint8_t { way, came_down, settling };
+
+  RestRun(const Scene& scene, Archive* saved);
+  void archive(Archive& a);
+  /// Events whose save keeps the state of the run and of the simulation that is under way.
+  SimulationEvents saving_all(SimulationEvents events);
   void go_down(const SimulationEvents& events);
   void count(const Simulation& simulation);
   /// Of a part that goes on from the way, failures count steps and times on, too.
@@ -58,8 +67,10 @@ class RestRun {
   double speed_at(double energy_share) const;
   /// Its motion at full stiffness, from where the particles are, under gravity.
   Scene at_full_stiffness() const;
+  /// That until they are at rest.
+  Scene settling() const;
   void balance(StartingState state, const SimulationEvents& events);
-  void settle(const StartingState& state, const SimulationEvents& events);
+  void settle(const SimulationEvents& events);
   /// The scene's own text in place of that of the simulation that made it.
   Snapshot told(Snapshot snapshot) const;
   /// Events that count steps and times on, for the steps that are wanted.
@@ -68,8 +79,10 @@ class RestRun {
   Scene scene_;
   Simulation full_;  ///< tells what the scene is; is not run
   Softening way_;
-  std::unique_ptr<Simulation> soft_;
-  double way_step_ = 0;  ///< [s]
+  Phase phase_ = Phase::way;
+  std::unique_ptr<Simulation> soft_;      ///< until it has come down
+  std::unique_ptr<Simulation> settling_;  ///< with friction, after that
+  double way_step_ = 0;                   ///< [s]
   std::int64_t present_ = 0;
   double time_ = 0;  ///< at which the way ended [s]
   StepWork done_;

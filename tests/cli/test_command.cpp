@@ -156,7 +156,7 @@ TEST_CASE("a run that fails gives exit code 1, one that is interrupted 130, both
 
   result = packstone_command("run " + scene + " --quiet --set dynamics.duration=1000 -o " + quoted(folder / "long"),
                              "timeout --foreground -s INT 2");
-  CHECK_THAT(result.output, Contains("packstone: interrupted: stopped at t = "));
+  CHECK_THAT(result.output, Contains("packstone: interrupted: stopped at t = ") && Contains("--resume -o "));
   CHECK_THAT(packstone_command("info " + quoted(folder / "long")).output, Contains("interrupted"));
 }
 

@@ -83,7 +83,7 @@ class ByHand {
     boundaries_.go_to(time_, duration, 0);
     if (dynamics_->outdated({})) dynamics_->rebuild(particles_, {}, duration);
     dynamics_->advance(particles_, input, nullptr);
-    passed = dynamics_->go_on(particles_, input, time_);
+    passed = *dynamics_->go_on(particles_, input, time_);
     time_ += duration;
   }
 
