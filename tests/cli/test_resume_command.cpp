@@ -25,7 +25,7 @@ struct LongRun {
   LongRun() {
     std::ofstream(folder / "a scene.toml") << small_scene;
     call = "run " + quoted(folder / "a scene.toml") +
-           " --quiet --threads 1 --set dynamics.duration=0.6 --set output.checkpoint_interval=0.02";
+           " --quiet --set dynamics.duration=0.6 --set output.checkpoint_interval=0.05";
   }
   fs::path path(const std::string& name) const { return folder / name; }
   std::string into(const std::string& name) const { return " -o " + quoted(path(name)); }
@@ -33,10 +33,10 @@ struct LongRun {
   /// Runs into a folder and sends a signal when two checkpoints and some snapshots are there.
   Result stopped_by(const std::string& signal, const std::string& name) const {
     const fs::path run = path(name);
-    return shell(std::string(PACKSTONE_COMMAND) + " " + call + into(name) + " & p=$!; while [ ! -e " +
+    return shell("{ " + std::string(PACKSTONE_COMMAND) + " " + call + into(name) + " & p=$!; while [ ! -e " +
                  quoted(run / "checkpoint/checkpoint_1") + " -o ! -e " +
                  quoted(run / "snapshots/snapshot_000004.vtkhdf") + " ]; do sleep 0.01; done; kill -" + signal +
-                 " $p; wait $p; echo exit code $?");
+                 " $p; wait $p; echo exit code $?; }");
   }
   nlohmann::json info(const std::string& name) const {
     const Result result = packstone_command("info --json " + quoted(path(name)));
@@ -77,7 +77,7 @@ TEST_CASE("a run ended by SIGINT, SIGTERM or a kill is gone on with") {
   CHECK(info["snapshots"] >= 5);
   CHECK(info["checkpoints"].size() == 2);
   CHECK_THAT(std::string(info["go_on_with"]), Contains("--resume"));
-  CHECK(packstone_command(runs.call + runs.into("killed") + " --resume --threads 2").exit_code == 0);
+  CHECK(packstone_command(runs.call + runs.into("killed") + " --resume --threads 1").exit_code == 0);
   runs.check_same("whole", "killed");
   info = runs.info("killed");
   CHECK(info["status"] == "finished");

@@ -54,10 +54,10 @@ kind = "plane"
 point = [0, 0, 0]
 normal = [0, 0, 1]
 [output]
-interval = "5 ms"
+interval = "10 ms"
 history_interval = "1 ms"
 fields = ["velocity", "force"]
-checkpoint_interval = "0.1 s"
+checkpoint_interval = "0.2 s"
 [monitor]
 overlap_limit = 0.3
 """
