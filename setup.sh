@@ -16,7 +16,7 @@ library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusp
                   libmuparser-dev voro++-dev libvtk9-dev libosmesa6-dev libegl-dev libisal-dev
                   libcairo2-dev libopenmpi-dev)
 program_packages=(ffmpeg openmpi-bin libegl1 fontconfig fonts-dejavu-core)
-test_packages=(catch2 python3-h5py voro++ poppler-utils)
+test_packages=(catch2 python3-h5py voro++ poppler-utils locales)
 bench_packages=(lammps liggghts libbenchmark-dev)
 
 say() { printf '\n== %s\n' "$*"; }

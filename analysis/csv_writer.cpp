@@ -6,6 +6,7 @@
 #include "analysis/writers.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/output_folder.hpp"
 
 namespace packstone::analysis {
 
@@ -66,10 +67,8 @@ Files started(const std::string& leading_title) {
 }
 
 void write_files(const std::filesystem::path& folder, const Files& files) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw RunError(folder.string() + ": cannot be created: " + error.message());
-  for (const auto& [name, text] : files) write_text_file(folder / name, text);
+  const OutputFolder made(folder);
+  for (const auto& [name, text] : files) write_text_file(made.path() / name, text);
 }
 
 }  // namespace

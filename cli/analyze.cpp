@@ -23,6 +23,7 @@
 #include "cli/selection.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/run_folder.hpp"
 
 namespace packstone::cli {
@@ -69,6 +70,15 @@ std::vector<std::pair<const char*, std::filesystem::path>> files_of_one_instant(
           {"--coarse", options.coarse},
           {"--surface", options.surface},
           {"--particles", options.particles}};
+}
+
+/// Before the work, so that it is not in vain.
+void check_outputs(const AnalyzeOptions& options) {
+  auto files = files_of_one_instant(options);
+  if (options.json != "-") files.emplace_back("--json", options.json);
+  for (const auto& [name, path] : files) {
+    if (!path.empty()) check_writable(path);
+  }
 }
 
 /// What is missing from them, a sentence each.
@@ -146,6 +156,7 @@ void list_measures(const AnalyzeOptions& options) {
 }
 
 void analyze(const AnalyzeOptions& options) {
+  check_outputs(options);
   if (options.list) {
     list_measures(options);
   } else if (options.paths.empty()) {

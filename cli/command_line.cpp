@@ -1,10 +1,12 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -100,6 +102,20 @@ std::string place_of(const std::string& message, const std::vector<ViewSetting>&
   return "";
 }
 
+/// What CLI11 prints for --help and --version is no error.
+void parse_or_help(CLI::App& app, std::vector<std::string> words) {
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::Success& asked) {
+    if (speaks_for_all()) app.exit(asked);
+  }
+}
+
+/// What was printed may still be on its way, and the disk full.
+void flush_standard_output() {
+  if (std::fflush(stdout) != 0) throw RunError(std::string("cannot be written: ") + std::strerror(errno));
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv) {
   std::vector<ViewSetting> settings;
   try {
@@ -109,9 +125,8 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
       words.push_back("--" + setting.name + (setting.flag ? "" : "=" + setting.value));
     }
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
-    app.parse(words);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return speaks_for_all() ? app.exit(asked) : static_cast<int>(ExitCode::done);
+    parse_or_help(app, std::move(words));
+    flush_standard_output();
   } catch (const CLI::ParseError& error) {
     return report(ExitCode::bad_input, place_of(error.what(), settings) + error.what() + "; see packstone --help");
   } catch (const InputError& error) {
@@ -121,7 +136,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report(ExitCode::failed, "not enough memory");
   } catch (const std::exception& error) {
-    return report(ExitCode::failed, error.what());
+    return report(ExitCode::failed, (std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
   }
   return static_cast<int>(ExitCode::done);
 }

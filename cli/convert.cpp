@@ -10,6 +10,7 @@
 #include "cli/selection.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/formats/packing_output.hpp"
 #include "core/run_folder.hpp"
 #include "core/text_lines.hpp"
@@ -44,9 +45,14 @@ std::string program_name() { return fmt::format("packstone {} (git {})", version
 /// Where the snapshots go: a run folder, or a file.
 class Output {
  public:
-  Output(const fs::path& path, const ConvertOptions& options, std::size_t instants) : path_(path) {
+  Output(const fs::path& path, const ConvertOptions& options, std::size_t instants) {
     if (!path.has_extension()) {
       run_.emplace(path, options.overwrite);
+      record_.title = options.paths.front().string();
+      record_.version = version();
+      record_.git_revision = git_revision();
+      record_.compiler = compiler();
+      run_->write_record(record_);
       return;
     }
     if (instants > 1 && !holds_series(path)) {
@@ -58,42 +64,47 @@ class Output {
     if (fs::exists(path) && !options.overwrite) {
       throw InputError(path.string() + ": is there already; name another file, or replace it with --overwrite");
     }
+    check_writable(path);
+    file_.emplace(path);
   }
 
   void write(const Snapshot& snapshot) {
     if (run_) {
-      if (count_ == 0) run_->write_scene(snapshot.scene_text);
+      if (record_.scene_hash.empty()) run_->write_scene(snapshot.scene_text);
       run_->write_snapshot(snapshot);
     } else {
-      write_packing(path_, snapshot, count_ > 0);
+      file_->write(snapshot);
     }
-    ++count_;
-    last_step_ = snapshot.step;
-    particles_ = static_cast<std::int64_t>(snapshot.size());
-    scene_hash_ = snapshot.scene_hash;
+    record_.steps = snapshot.step;
+    record_.particles = static_cast<std::int64_t>(snapshot.size());
+    record_.scene_hash = snapshot.scene_hash;
+    record_.warnings = snapshot.notes;
   }
 
-  void finish(const std::string& source, const std::vector<std::string>& notes) const {
-    if (!run_) return;
-    RunRecord record;
-    record.title = source;
-    record.version = version();
-    record.git_revision = git_revision();
-    record.compiler = compiler();
-    record.scene_hash = scene_hash_;
-    record.status = RunStatus::finished;
-    record.warnings = notes;
-    record.steps = last_step_;
-    record.particles = particles_;
-    run_->write_record(record);
+  void finish() {
+    if (file_) return file_->finish();
+    record_.status = RunStatus::finished;
+    run_->write_record(record_);
   }
+
+  /// Notes why it was not finished, where that can be written.
+  void fail(const std::string& reason) {
+    if (!run_) return;
+    record_.status = RunStatus::failed;
+    record_.reason = reason;
+    try {
+      run_->write_record(record_);
+    } catch (const RunError&) {
+      // A full disk is often the reason; its message is the one to pass on.
+    }
+  }
+
+  const std::vector<std::string>& notes() const { return record_.warnings; }
 
  private:
-  fs::path path_;
   std::optional<RunWriter> run_;
-  std::size_t count_ = 0;
-  std::int64_t last_step_ = 0, particles_ = 0;
-  std::string scene_hash_;
+  std::optional<PackingWriter> file_;
+  RunRecord record_;
 };
 
 void convert(ConvertOptions options) {
@@ -109,19 +120,22 @@ void convert(ConvertOptions options) {
   const bool series = !target.has_extension() || holds_series(target);
   const auto selected = selected_snapshots(run, !options.at.empty() ? options.at : series ? "all" : "last");
   Output output(target, options, selected.size());
-  Progress progress("snapshots", options.quiet || selected.size() == 1);
-  std::vector<std::string> notes;
-  for (std::size_t k = 0; k < selected.size(); ++k) {
-    Snapshot snapshot = run.snapshot(selected[k]);
-    if (like) like->apply(snapshot, run.snapshot_files()[selected[k]].string());
-    if (snapshot.program.empty()) snapshot.program = program_name();
-    notes = snapshot.notes;
-    output.write(snapshot);
-    progress.update(static_cast<std::int64_t>(k + 1), static_cast<std::int64_t>(selected.size()));
+  try {
+    Progress progress("snapshots", options.quiet || selected.size() == 1);
+    for (std::size_t k = 0; k < selected.size(); ++k) {
+      Snapshot snapshot = run.snapshot(selected[k]);
+      if (like) like->apply(snapshot, run.snapshot_files()[selected[k]].string());
+      if (snapshot.program.empty()) snapshot.program = program_name();
+      output.write(snapshot);
+      progress.update(static_cast<std::int64_t>(k + 1), static_cast<std::int64_t>(selected.size()));
+    }
+    output.finish();
+  } catch (const std::exception& error) {
+    output.fail(error.what());
+    throw;
   }
-  output.finish(options.paths.front().string(), notes);
   if (options.quiet) return;
-  for (const std::string& note : notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : output.notes()) fmt::print("note: {}\n", note);
 }
 
 }  // namespace

@@ -34,9 +34,7 @@ class FrameFiles {
   }
 
   /// What workers that were ended in the middle of a file left of it.
-  void discard_unfinished() const {
-    for (std::size_t frame = 0; frame < film_.frames; ++frame) discard_temporary(path(frame));
-  }
+  void discard_unfinished() const { remove_leftovers(folder_.path()); }
 
  private:
   std::filesystem::path path(std::size_t frame) const {

@@ -80,7 +80,7 @@ void CheckpointWriter::commit() {
   flush();
   file_.write(table);
   file_.write(bytes_of(tail));
-  file_.commit();
+  file_.commit(Lasting::yes);
 }
 
 void CheckpointWriter::fail() const { throw RunError("a checkpoint is written, not read"); }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/archive.hpp"
-#include "core/durable_file.hpp"
+#include "core/files.hpp"
 #include "core/formats/mapped_file.hpp"
 
 namespace packstone {
@@ -36,7 +36,7 @@ class CheckpointWriter final : public Archive {
   [[noreturn]] void fail() const override;
   void flush();
 
-  DurableFile file_;
+  PendingFile file_;
   std::string buffer_;
   std::uint64_t written_ = 0;  ///< bytes, those in the buffer included
   std::vector<CheckpointPart> parts_;

@@ -1,8 +1,13 @@
 #include "core/hdf5.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/formats/mapped_file.hpp"
+#include "core/hdf5_trial.hpp"
 
 namespace packstone::hdf5 {
 
@@ -33,19 +38,49 @@ Handle utf8_text_type() {
   return type;
 }
 
+/// What the system said to the call that failed, out of HDF5's error stack; empty where it said nothing.
+std::string system_message() {
+  std::string message;
+  const auto search = [](unsigned, const H5E_error2_t* error, void* found) -> herr_t {
+    constexpr std::string_view before = "error message = '";
+    const std::string_view words = error->desc ? error->desc : "";
+    const std::size_t at = words.find(before);
+    if (at != std::string_view::npos) {
+      const std::string_view rest = words.substr(at + before.size());
+      *static_cast<std::string*>(found) = rest.substr(0, rest.find('\''));
+    }
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, search, &message);
+  return message;
+}
+
 }  // namespace
 
+Handle access_without_locks() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access, false, true);
+  return access;
+}
+
+void Writer::fail(const char* what) const {
+  const std::string cause = system_message();
+  throw RunError(fmt::format("{}: cannot {}: {}", pending_.target().string(), what,
+                             cause.empty() ? "HDF5 gives no reason; is the disk full?" : cause));
+}
+
 hid_t Writer::checked(hid_t result, const char* what) const {
-  if (result < 0) throw RunError(fmt::format("{}: cannot {}; is the disk full?", path_.string(), what));
+  if (result < 0) fail(what);
   return result;
 }
 
-Writer::Writer(const std::filesystem::path& path) : path_(path) {
+Writer::Writer(const std::filesystem::path& path) : pending_(path) {
   silence();
   // No time stamps: the same content gives the same bytes.
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  const Handle access = access_without_locks();
   H5Pset_alignment(access, aligned_from, alignment);  // columns can be looked at where they lie
-  file_ = Handle(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create file"), H5Fclose);
+  file_ =
+      Handle(checked(H5Fcreate(pending_.name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create file"), H5Fclose);
 }
 
 void Writer::group(const std::string& name) {
@@ -61,7 +96,10 @@ void Writer::write(const std::string& name, const void* data, std::size_t count,
   Handle set(
       checked(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), "create dataset"),
       H5Dclose);
-  if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write dataset");
+  if (count == 0) return;
+  checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write dataset");
+  const std::size_t bytes = count * H5Tget_size(type);
+  if (bytes >= aligned_from) columns_.push_back({H5Dget_offset(set), bytes});
 }
 
 void Writer::text(const std::string& name, const std::string& value) { texts(name, {value}); }
@@ -100,15 +138,28 @@ void Writer::attribute(const std::string& object, const std::string& name, std::
   checked(H5Awrite(attribute, H5T_NATIVE_INT64, values.data()), "write attribute");
 }
 
-void Writer::finish() {
+void Writer::finish(Lasting lasting) {
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "flush file");
-  if (!file_.close()) throw RunError(fmt::format("{}: cannot close file; is the disk full?", path_.string()));
+  if (!file_.close()) fail("close file");
+  std::sort(columns_.begin(), columns_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const std::string sums = Checksums(formats::MappedFile(pending_.name()).text(), std::move(columns_)).text();
+  append_to_file(pending_.name(), sums);
+  pending_.commit(lasting);
 }
 
 Reader::Reader(const std::filesystem::path& path) : path_(path) {
   silence();
-  if (!std::filesystem::exists(path)) throw InputError(path.string() + ": no such file");
-  file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  {
+    const formats::MappedFile file(path);
+    file_size_ = file.text().size();
+    sums_ = Checksums::behind(file.text());
+    if (sums_ && !sums_->fit_structure_of(file.text())) fail("damaged: its structure is not what was written");
+  }
+  if (!sums_) {
+    const std::string failure = failure_in_hdf5_trial(path, file_size_);
+    if (!failure.empty()) fail("damaged: " + failure);
+  }
+  file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_without_locks()), H5Fclose);
   if (file_ < 0) fail("not a readable HDF5 file (damaged or cut short?)");
 }
 
@@ -149,6 +200,11 @@ std::pair<std::size_t, std::size_t> Reader::shape(const std::string& name) const
   const int rank = H5Sget_simple_extent_ndims(space);
   if (rank < 1 || rank > 2) fail(fmt::format("dataset {} has {} dimensions; 1 or 2 expected", name, rank));
   H5Sget_simple_extent_dims(space, extent, nullptr);
+  // A damaged header may claim any size; believe no more than a compressed file of this size could hold.
+  constexpr std::uintmax_t best_compression = 1024;
+  if (extent[1] != 0 && extent[0] / best_compression > file_size_ / extent[1]) {
+    fail(fmt::format("dataset {} claims {} rows, more than the file can hold", name, extent[0]));
+  }
   return {extent[0], extent[1]};
 }
 
@@ -158,11 +214,6 @@ std::size_t Reader::extent(const std::string& name, std::size_t columns, std::si
   if (rows == npos) rows = there - std::min(first, there);
   if (first > there || rows > there - first) {
     fail(fmt::format("dataset {} has {} rows; row {} expected", name, there, first + rows));
-  }
-  // A damaged header may claim any size; believe no more than a compressed file of this size could hold.
-  constexpr std::uintmax_t best_compression = 1024;
-  if (there * across / best_compression > std::filesystem::file_size(path_)) {
-    fail(fmt::format("dataset {} claims {} rows, more than the file can hold", name, there));
   }
   return rows;
 }
@@ -188,6 +239,16 @@ void Reader::read(const std::string& name, void* data, std::size_t first, std::s
   if (H5Dread(set, type, memory, space, H5P_DEFAULT, data) < 0) {
     fail("dataset " + name + " cannot be read (damaged or cut short?)");
   }
+  if (rows == extent[0]) check_sum(name, set, data, rows * extent[1] * H5Tget_size(type));
+}
+
+/// Of a whole dataset as it was read. Where it was not stored in the type it was read in, the bytes differ in number.
+void Reader::check_sum(const std::string& name, hid_t set, const void* data, std::size_t bytes) const {
+  const haddr_t place = sums_ ? H5Dget_offset(set) : HADDR_UNDEF;
+  const auto column = place == HADDR_UNDEF ? std::nullopt : sums_->column_at(place);
+  if (column && column->bytes == bytes && checksum_of(data, bytes) != column->sum) {
+    fail("damaged: the numbers of dataset " + name + " are not what was written");
+  }
 }
 
 std::optional<std::size_t> Reader::place(const std::string& name, std::size_t bytes, hid_t type) const {
@@ -195,7 +256,7 @@ std::optional<std::size_t> Reader::place(const std::string& name, std::size_t by
   const Handle stored(H5Dget_type(set), H5Tclose);
   const haddr_t place = H5Dget_offset(set);  // undefined where there is no single one
   if (place == HADDR_UNDEF || H5Tequal(stored, type) <= 0) return std::nullopt;
-  if (place > std::filesystem::file_size(path_) || bytes > std::filesystem::file_size(path_) - place) {
+  if (place > file_size_ || bytes > file_size_ - place) {
     fail("dataset " + name + " reaches beyond the end of the file (damaged or cut short?)");
   }
   return static_cast<std::size_t>(place);
@@ -205,7 +266,7 @@ std::vector<std::string> Reader::texts(const std::string& name) const {
   Handle set = open(name);
   Handle type(H5Dget_type(set), H5Tclose);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0) fail("dataset " + name + " is not text");
-  const std::size_t count = shape(name).first;
+  const std::size_t count = extent(name, 1, 0, npos);
   std::vector<char*> pointers(count, nullptr);
   Handle memory = utf8_text_type();
   if (count > 0 && H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0) {
@@ -231,6 +292,7 @@ std::string Reader::text_attribute(const std::string& object, const std::string&
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
     fail(fmt::format("attribute {} of {} is not fixed-length text", name, object));
   }
+  if (H5Tget_size(type) > file_size_) fail(fmt::format("attribute {} of {} is longer than the file", name, object));
   std::string value(H5Tget_size(type), '\0');
   if (H5Aread(attribute, type, value.data()) < 0) fail(fmt::format("attribute {} cannot be read", name));
   return value.substr(0, value.find('\0'));

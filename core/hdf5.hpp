@@ -11,6 +11,8 @@
 
 #include <hdf5.h>
 
+#include "core/checksums.hpp"
+#include "core/files.hpp"
 #include "core/vec3.hpp"
 
 namespace packstone::hdf5 {
@@ -38,6 +40,9 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
+/// For files that PendingFile locks, or that nobody writes any more.
+Handle access_without_locks();
+
 template <class T>
 hid_t memory_type();
 template <>
@@ -57,7 +62,7 @@ inline hid_t memory_type<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
-/// A file being written. Throws RunError naming the file whenever HDF5 refuses.
+/// A file being written, whole or absent. Throws RunError naming the file whenever HDF5 or the disk refuses.
 class Writer {
  public:
   explicit Writer(const std::filesystem::path& path);
@@ -77,18 +82,22 @@ class Writer {
   /// Attributes of a group or dataset.
   void text_attribute(const std::string& object, const std::string& name, const std::string& value);
   void attribute(const std::string& object, const std::string& name, std::span<const std::int64_t> values);
-  /// Flushes and closes; the file is only good once this has returned.
-  void finish();
+  /// Closes the file, writes checksums behind it and puts it in place.
+  void finish(Lasting lasting = Lasting::no);
 
  private:
   void write(const std::string& name, const void* data, std::size_t count, std::size_t columns, hid_t type);
   hid_t checked(hid_t result, const char* what) const;
+  [[noreturn]] void fail(const char* what) const;
 
-  std::filesystem::path path_;
+  PendingFile pending_;
+  std::vector<ColumnSum> columns_;
   Handle file_;
 };
 
-/// A file being read. Throws InputError naming file and dataset when something is missing or of the wrong shape.
+/// A file being read. Throws InputError naming file and dataset when something is missing, damaged or of the wrong
+/// shape. Where Writer's checksums are there, the structure is checked against them before HDF5 sees it, and a column
+/// when all of it is read; another file's structure is tried in a process of its own.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path);
@@ -125,9 +134,12 @@ class Reader {
   std::size_t extent(const std::string& name, std::size_t columns, std::size_t first, std::size_t rows) const;
   void read(const std::string& name, void* data, std::size_t first, std::size_t rows, hid_t type) const;
   std::optional<std::size_t> place(const std::string& name, std::size_t bytes, hid_t type) const;
+  void check_sum(const std::string& name, hid_t set, const void* data, std::size_t bytes) const;
   Handle open(const std::string& name) const;
 
   std::filesystem::path path_;
+  std::uintmax_t file_size_ = 0;
+  std::optional<Checksums> sums_;
   Handle file_;
 };
 

@@ -62,7 +62,7 @@ OpenSnapshot::OpenSnapshot(const std::filesystem::path& path)
   Columns& columns = *held_->columns;
   const hdf5::Reader& reader = columns.reader();
   ParticleView& view = held_->view;
-  const std::size_t rows = reader.shape(snapshot_points).first;
+  const std::size_t rows = read_row_count(reader);
   view.position = columns.vectors(snapshot_points, rows);
   view.radius = columns.numbers<double>(snapshot_column("radius"), 1, rows);
   view.type = columns.numbers<std::int32_t>(snapshot_column("type"), 1, rows);

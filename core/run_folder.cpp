@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/checkpoints.hpp"
-#include "core/durable_file.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/run_verdict_json.hpp"
@@ -284,7 +283,6 @@ void RunWriter::write_series() const {
 }
 
 void RunWriter::append_history(const std::vector<std::string>& columns, const std::vector<double>& row) {
-  const fs::path file = path_ / "history.csv";
   std::string text;
   if (history_size_ == 0) {
     for (const auto& column : columns) text += (text.empty() ? "" : ",") + column;
@@ -292,17 +290,11 @@ void RunWriter::append_history(const std::vector<std::string>& columns, const st
   }
   for (std::size_t k = 0; k < row.size(); ++k) text += fmt::format("{}{}", k ? "," : "", row[k]);
   text += '\n';
-  std::ofstream stream(file, std::ios::app | std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw RunError(file.string() + ": cannot be written; is the disk full?");
+  append_to_file(path_ / "history.csv", text);
   history_size_ += text.size();
 }
 
-void RunWriter::archive(Archive& a) {
-  a(times_, history_size_);
-  if (a.reads()) synced_ = times_.size();
-}
+void RunWriter::archive(Archive& a) { a(times_, history_size_); }
 
 void RunWriter::cut_history() const {
   const fs::path file = path_ / "history.csv";
@@ -318,13 +310,8 @@ void RunWriter::cut_history() const {
   if (error) throw RunError(file.string() + ": cannot be cut back: " + error.message());
 }
 
-void RunWriter::sync() {
+void RunWriter::sync() const {
   if (history_size_ > 0) sync_to_disk(path_ / "history.csv");
-  for (; synced_ < times_.size(); ++synced_) {
-    const fs::path file = path_ / "snapshots" / snapshot_name(synced_);
-    if (fs::exists(file)) sync_to_disk(file);
-  }
-  sync_to_disk(path_ / "snapshots");
 }
 
 }  // namespace packstone

@@ -120,8 +120,8 @@ class RunWriter {
   /// Of a run that goes on: leaves in history.csv what has been written by then. Snapshots that came after are written
   /// over, with the same bytes. Throws RunError where history.csv holds less.
   void cut_history() const;
-  /// Has the disk take all of it: a checkpoint must not outlast what it counts.
-  void sync();
+  /// Has the disk take the history, as it has the snapshots: a checkpoint must not outlast what it counts.
+  void sync() const;
 
   const std::filesystem::path& path() const { return path_; }
 
@@ -131,7 +131,6 @@ class RunWriter {
   std::filesystem::path path_;
   FolderLock lock_;
   std::vector<double> times_;  ///< of the snapshots [s]
-  std::size_t synced_ = 0;     ///< snapshots that are on the disk
   std::uint64_t history_size_ = 0;
 };
 

@@ -26,6 +26,7 @@ const ChoiceNames output_fields = {"velocity",
                                    "kinetic_rotational",
                                    "elastic",
                                    "gravitational"};
+constexpr double most_particles = 5e8;  ///< of a group: what 32-bit entries of neighbour lists can refer to
 const ChoiceNames dynamics_kinds = {"newtonian", "overdamped"};
 
 void describe_rest(OptionVisitor& v, const std::string& what, std::optional<double>& speed, double& time,
@@ -249,7 +250,7 @@ void describe_group(OptionVisitor& v, GroupSpec& g) {
   v.text({"name", "Name in legends and tables; the material's unless given"}, g.name, has_default);
   v.text({"material", "Name of a [[material]]"}, g.material, required);
   v.integer({"count", "Number of particles; required unless filling.kind is file, and then not given", unit::none,
-             Range::at_least(1)},
+             Range::between(1, most_particles)},
             g.count);
   v.number_or_table({"radius",
                      "Radius of all, or a table that says how radii are distributed; required unless filling.kind is "

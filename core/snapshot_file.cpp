@@ -1,7 +1,6 @@
 // The snapshot as a file: docs/format.md.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -11,6 +10,7 @@
 #include "core/hdf5.hpp"
 #include "core/reordered.hpp"
 #include "core/snapshot.hpp"
+#include "core/snapshot_checks.hpp"
 #include "core/snapshot_layout.hpp"
 
 namespace packstone {
@@ -187,7 +187,7 @@ void read_surfaces(const hdf5::Reader& file, std::vector<BoundaryRecord>& bounda
   const auto first_point = read_offsets(file, "/boundaries/surface_first_point", boundaries.size(), points.size());
   const auto first_triangle =
       read_offsets(file, "/boundaries/surface_first_triangle", boundaries.size(), corners.size() / 3);
-  if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); })) {
+  if (!all_finite(points)) {
     file.fail("/boundaries/surface_points holds what is not a number");
   }
   for (std::size_t k = 0; k < boundaries.size(); ++k) {
@@ -296,32 +296,17 @@ void read_chunks_in(const Region& region, const hdf5::Reader& file, Snapshot& s,
   append_rows(file, s, first, rows, options);  // also of none, for the fields' names
 }
 
-void check_indices(const hdf5::Reader& file, const Snapshot& s) {
-  const auto in_range = [](const std::vector<std::int32_t>& values, std::size_t count) {
-    return std::all_of(values.begin(), values.end(),
-                       [&](std::int32_t v) { return v >= 0 && static_cast<std::size_t>(v) < count; });
-  };
-  if (!in_range(s.type, s.groups.size())) file.fail("PointData/type refers to a group that is not in /scene");
-  if (!in_range(s.material, s.material_names.size())) {
-    file.fail("PointData/material refers to a material that is not in /scene");
-  }
-  const bool finite = std::all_of(s.position.begin(), s.position.end(), [](const Vec3& p) { return p.allFinite(); }) &&
-                      std::all_of(s.radius.begin(), s.radius.end(), [](double r) { return r >= 0 && r < HUGE_VAL; });
-  if (!finite) file.fail("a position is not a number or a radius is negative");
-}
-
 }  // namespace
 
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot) {
   const auto order = space_filling_order(snapshot);
-  hdf5::Writer file(temporary_name(path));
+  hdf5::Writer file(path);
   write_vtk_part(file, snapshot, order);
   if (snapshot.contacts) write_contacts(file, *snapshot.contacts);
   write_boundaries(file, snapshot.boundaries);
   write_context(file, snapshot);
   write_header(file, snapshot, order);
-  file.finish();
-  commit_file(path);
+  file.finish(Lasting::yes);
 }
 
 Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& options) {
@@ -332,20 +317,26 @@ Snapshot read_snapshot(const std::filesystem::path& path, const ReadOptions& opt
     file.fail("written by a newer packstone (format " + std::to_string(version) + "); this one reads up to " +
               std::to_string(format_version));
   }
+  if (version < 1) file.fail("format " + std::to_string(version) + " was never written");
   Snapshot s;
   read_boundaries(file, s.boundaries);
   read_context(file, s);
-  s.time = file.dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
+  check_context(file, s);
+  s.time = read_time(file);
   s.step = file.dataset<std::int64_t>("/VTKHDF/FieldData/step", 1, 0, 1).front();
-  const std::size_t total = file.shape(snapshot_points).first;
+  const std::size_t total = read_row_count(file);
   if (options.rows && options.region) {
     read_chunks_in(*options.region, file, s, total, options);
   } else if (options.rows) {
     append_rows(file, s, 0, total, options);
   }
   if (options.region) s = restricted(s, *options.region);
-  if (options.contacts && file.has("/contacts/pair")) s.contacts = read_contacts(file);
-  check_indices(file, s);
+  if (options.contacts && file.has("/contacts/pair")) {
+    s.contacts = read_contacts(file);
+    check_contacts(file, s);
+  }
+  check_particles(file, s);
+  if (options.rows && !options.region) check_ids(file, s);
   return s;
 }
 

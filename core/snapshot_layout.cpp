@@ -1,5 +1,9 @@
 #include "core/snapshot_layout.hpp"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 namespace packstone {
 
 std::string snapshot_column(const std::string& name) { return "/VTKHDF/PointData/" + name; }
@@ -10,6 +14,21 @@ std::vector<std::string> field_names(const hdf5::Reader& file) {
     return name == "radius" || name == "id" || name == "type" || name == "material";
   });
   return names;
+}
+
+double read_time(const hdf5::Reader& file) {
+  const double time = file.dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
+  if (!std::isfinite(time)) file.fail(fmt::format("the time {} is not a number", time));
+  return time;
+}
+
+std::size_t read_row_count(const hdf5::Reader& file) {
+  const std::size_t rows = file.shape(snapshot_points).first;
+  for (const std::string& name : file.children("/VTKHDF/PointData")) {
+    const std::size_t there = file.shape(snapshot_column(name)).first;
+    if (there != rows) file.fail(fmt::format("PointData/{} has {} rows for {} points", name, there, rows));
+  }
+  return rows;
 }
 
 std::vector<RowChunk> read_chunks(const hdf5::Reader& file, std::size_t rows) {
@@ -24,6 +43,7 @@ std::vector<RowChunk> read_chunks(const hdf5::Reader& file, std::size_t rows) {
       file.fail("/packstone/chunk_first_row does not ascend from 0 within the rows");
     }
     const Eigen::Map<const Vec3> low(&bounds[6 * c]), high(&bounds[6 * c + 3]);
+    if (!(low.array() <= high.array()).all()) file.fail("/packstone/chunk_bounds: a box ends before it begins");
     chunks.push_back({first, last, {low, high}});
   }
   if (chunks.empty() && rows > 0) file.fail("/packstone/chunk_first_row has no chunks");

@@ -197,17 +197,14 @@ class MovieWriter::Encoder {
 };
 
 MovieWriter::MovieWriter(const fs::path& path, int width, int height, const MovieOptions& options)
-    : path_(path), width_(width), height_(height) {
+    : width_(width), height_(height) {
   check_request(path, width, height, options.frames_per_second);
-  encoder_ = std::make_unique<Encoder>(ffmpeg_call(temporary_name(path), width, height, options.frames_per_second),
-                                       path.string());
+  file_ = std::make_unique<PendingFile>(path);
+  encoder_ =
+      std::make_unique<Encoder>(ffmpeg_call(file_->name(), width, height, options.frames_per_second), path.string());
 }
 
-MovieWriter::~MovieWriter() {
-  if (!encoder_) return;
-  encoder_.reset();  // ends ffmpeg before its file goes
-  discard_temporary(path_);
-}
+MovieWriter::~MovieWriter() = default;  // ends ffmpeg before its file goes
 
 void MovieWriter::add(const Image& frame) {
   if (frame.width != width_ || frame.height != height_) {
@@ -219,10 +216,9 @@ void MovieWriter::add(const Image& frame) {
 }
 
 void MovieWriter::finish(const std::function<void()>& while_waiting) {
-  if (frames_ == 0) throw RunError(fmt::format("{}: the movie has no frames", path_.string()));
+  if (frames_ == 0) throw RunError(fmt::format("{}: the movie has no frames", file_->target().string()));
   encoder_->finish(while_waiting);
-  commit_file(path_);
-  encoder_.reset();
+  file_->commit();
 }
 
 }  // namespace packstone::viz

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/files.hpp"
 #include "viz/image.hpp"
 
 namespace packstone::viz {
@@ -34,7 +35,7 @@ class MovieWriter {
  private:
   class Encoder;
 
-  std::filesystem::path path_;
+  std::unique_ptr<PendingFile> file_;
   int width_;
   int height_;
   int frames_ = 0;

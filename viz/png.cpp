@@ -1,11 +1,8 @@
 #include "viz/png.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -100,23 +97,13 @@ struct PngWriter::File {
   /// ISA-L looks at so many bytes beyond its input, and what stands there can decide between two equal matches.
   static constexpr std::size_t look_ahead = 512;
 
-  explicit File(const std::filesystem::path& target)
-      : path(target), out(temporary_name(target), std::ios::binary | std::ios::trunc) {
-    check();
+  explicit File(const std::filesystem::path& target) : pending(target) {
     isal_deflate_init(&stream);
     stream.level = 1;
     stream.level_buf = work_space.data();
     stream.level_buf_size = static_cast<std::uint32_t>(work_space.size());
     stream.gzip_flag = IGZIP_ZLIB;
   }
-
-  ~File() {
-    if (done) return;
-    out.close();
-    discard_temporary(path);
-  }
-
-  void write(std::string_view bytes) { out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); }
 
   void compress(std::vector<std::uint8_t>& bytes, bool last) {
     const std::size_t count = bytes.size();
@@ -129,22 +116,15 @@ struct PngWriter::File {
       stream.avail_out = static_cast<std::uint32_t>(packed.size());
       isal_deflate(&stream);
       const std::size_t made = packed.size() - stream.avail_out;
-      if (made > 0) write(png_chunk("IDAT", {reinterpret_cast<const char*>(packed.data()), made}));
+      if (made > 0) pending.write(png_chunk("IDAT", {reinterpret_cast<const char*>(packed.data()), made}));
     } while (stream.avail_out == 0);
     bytes.clear();
-    check();
   }
 
-  void check() const {
-    if (!out) throw RunError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
-  }
-
-  std::filesystem::path path;
-  std::ofstream out;
+  PendingFile pending;
   isal_zstream stream{};
   std::vector<std::uint8_t> work_space = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
   std::vector<std::uint8_t> packed = std::vector<std::uint8_t>(block_bytes);
-  bool done = false;
 };
 
 PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, const PngText& text,
@@ -154,7 +134,7 @@ PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, c
   const std::string head = png_head(width, height, text, dots_per_inch);
   filtered_.reserve(block_bytes + 1 + row_bytes_ + File::look_ahead);
   file_ = std::make_unique<File>(path);
-  file_->write(head);
+  file_->pending.write(head);
 }
 
 PngWriter::~PngWriter() = default;
@@ -178,12 +158,9 @@ void PngWriter::add_rows(const std::uint8_t* rgb, int rows) {
 void PngWriter::finish(const PngText& text) {
   if (rows_left_ > 0) throw InputError(fmt::format("{} rows of the picture are missing", rows_left_));
   file_->compress(filtered_, true);
-  for (const auto& [keyword, value] : text) file_->write(text_chunk(keyword, value));
-  file_->write(png_chunk("IEND", {}));
-  file_->out.close();
-  file_->check();
-  commit_file(file_->path);
-  file_->done = true;
+  for (const auto& [keyword, value] : text) file_->pending.write(text_chunk(keyword, value));
+  file_->pending.write(png_chunk("IEND", {}));
+  file_->pending.commit();
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text,

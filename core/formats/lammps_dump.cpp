@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/formats/text_output.hpp"
 #include "core/text_lines.hpp"
 
 namespace packstone::formats {
@@ -200,8 +199,7 @@ ParticleColumns read_dump_frame(std::string_view text, const std::string& source
   return columns;
 }
 
-void write_lammps_dump(const std::filesystem::path& path, const Snapshot& s, bool append) {
-  TextOutput out(path, append);
+void write_lammps_dump(TextOutput& out, const Snapshot& s) {
   out.print("ITEM: UNITS\nsi\nITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS", s.time,
             s.step, s.size());
   for (int k = 0; k < 3; ++k) out.print(" {}", s.domain.periodic[k] ? "pp" : "ff");
@@ -217,7 +215,6 @@ void write_lammps_dump(const std::filesystem::path& path, const Snapshot& s, boo
     for (const auto& column : extra) out.print(" {}", column.value(i));
   }
   out.print("\n");
-  out.finish();
 }
 
 }  // namespace packstone::formats

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include "core/formats/number_rows.hpp"
 #include "core/formats/particle_columns.hpp"
+#include "core/formats/text_output.hpp"
 
 namespace packstone::formats {
 
@@ -37,8 +37,8 @@ std::vector<DumpFrame> index_dump(std::string_view text, const std::string& sour
 /// above, of the same text. Throws InputError as above; also where a column that is needed is missing.
 ParticleColumns read_dump_frame(std::string_view text, const std::string& source, const DumpFrame& frame);
 
-/// Writes the snapshot as one frame of a dump, at the end of the file when append is set. Numbers have the digits
-/// that bring them back to the last bit. Throws RunError when the disk refuses.
-void write_lammps_dump(const std::filesystem::path& path, const Snapshot& snapshot, bool append);
+/// Adds the snapshot as a frame. Numbers have the digits that bring them back to the last bit. Throws RunError when the
+/// disk refuses.
+void write_lammps_dump(TextOutput& out, const Snapshot& snapshot);
 
 }  // namespace packstone::formats

@@ -14,6 +14,7 @@
 #include "core/formats/vtk_file.hpp"
 #include "core/formats/yade_text.hpp"
 #include "core/hdf5.hpp"
+#include "core/snapshot_layout.hpp"
 
 namespace packstone {
 
@@ -122,8 +123,7 @@ void PackingSeries::add_file(const fs::path& path) {
       frames_.push_back({path, format, time, {}, std::move(frame)});
     }
   } else if (format == Format::snapshot) {
-    const double time = hdf5::Reader(path).dataset<double>("/VTKHDF/FieldData/time", 1, 0, 1).front();
-    frames_.push_back({path, format, time});
+    frames_.push_back({path, format, read_time(hdf5::Reader(path))});
   } else {
     frames_.push_back({path, format});
   }

@@ -1,19 +1,6 @@
 #include "core/formats/text_output.hpp"
 
-#include <cerrno>
-#include <cstring>
-
-#include "core/error.hpp"
-#include "core/files.hpp"
-
 namespace packstone::formats {
-
-TextOutput::TextOutput(const std::filesystem::path& path, bool append)
-    : path_(path),
-      append_(append),
-      file_(append ? path : temporary_name(path), std::ios::binary | (append ? std::ios::app : std::ios::trunc)) {
-  if (!file_) throw RunError(path.string() + ": cannot be written: " + std::strerror(errno));
-}
 
 void TextOutput::print_values(fmt::string_view format, fmt::format_args values) {
   fmt::vformat_to(fmt::appender(buffer_), format, values);
@@ -21,24 +8,18 @@ void TextOutput::print_values(fmt::string_view format, fmt::format_args values) 
 }
 
 void TextOutput::flush() {
-  file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.write({buffer_.data(), buffer_.size()});
   buffer_.clear();
 }
 
 void TextOutput::raw(const void* bytes, std::size_t count) {
   flush();
-  file_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  file_.write({static_cast<const char*>(bytes), count});
 }
 
 void TextOutput::finish() {
   flush();
-  file_.close();
-  if (!file_) {
-    std::error_code ignored;
-    if (!append_) std::filesystem::remove(temporary_name(path_), ignored);
-    throw RunError(path_.string() + ": cannot be written; is the disk full?");
-  }
-  if (!append_) commit_file(path_);
+  file_.commit();
 }
 
 std::vector<OutputColumn> vector_columns(const Snapshot& snapshot, const std::array<const char*, 3>& velocity,

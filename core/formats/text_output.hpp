@@ -4,22 +4,21 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/files.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone::formats {
 
-/// A text file that is whole or absent; appended to, it grows by whole frames. {} writes the fewest digits that bring a
-/// number back to the last bit.
+/// A text file that is whole or absent. {} writes the fewest digits that bring a number back to the last bit. All
+/// functions throw RunError when the disk refuses.
 class TextOutput {
  public:
-  /// Throws RunError when the file cannot be written.
-  explicit TextOutput(const std::filesystem::path& path, bool append = false);
+  explicit TextOutput(const std::filesystem::path& path) : file_(path) {}
 
   template <class... Values>
   void print(fmt::format_string<Values...> format, Values&&... values) {
@@ -28,7 +27,7 @@ class TextOutput {
   /// Bytes as they are.
   void raw(const void* bytes, std::size_t count);
 
-  /// Puts the file in place. Throws RunError when the disk refuses.
+  /// Puts the file in place.
   void finish();
 
  private:
@@ -37,9 +36,7 @@ class TextOutput {
   void print_values(fmt::string_view format, fmt::format_args values);
   void flush();
 
-  std::filesystem::path path_;
-  bool append_;
-  std::ofstream file_;
+  PendingFile file_;
   fmt::memory_buffer buffer_;
 };
 

@@ -14,7 +14,6 @@
 #include <vtkFieldData.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
@@ -24,12 +23,16 @@
 
 #include "core/error.hpp"
 #include "core/formats/mapped_file.hpp"
+#include "core/formats/quiet_vtk.hpp"
+#include "core/trial.hpp"
 
 namespace packstone::formats {
 
 namespace {
 
-constexpr std::size_t head_bytes = 1000;  ///< in which an XML file says what it holds
+constexpr std::size_t head_bytes = 1000;                         ///< in which an XML file says what it holds
+constexpr std::size_t memory_at_least = std::size_t{256} << 20;  ///< [bytes], of VTK itself and small files
+constexpr std::size_t memory_over_file_size = 64;                ///< arrays, unpacked
 
 struct KnownVector {
   std::array<const char*, 4> names;
@@ -40,18 +43,6 @@ constexpr std::array known_vectors = {
     KnownVector{{"velocity", "linVelVec", "linVel", "v"}, {"vx", "vy", "vz"}},
     KnownVector{{"angular_velocity", "angVelVec", "angVel", "omega"}, {"wx", "wy", "wz"}},
     KnownVector{{"force", "forceVec", "forces", "f"}, {"fx", "fy", "fz"}}};
-
-/// Keeps VTK from writing to the terminal: what is wrong is said here.
-class QuietVtk {
- public:
-  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::SetGlobalWarningDisplay(0); }
-  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
-
- private:
-  int before_;
-};
 
 template <class Reader>
 vtkSmartPointer<vtkPointSet> read_with(const std::filesystem::path& path) {
@@ -71,13 +62,24 @@ vtkSmartPointer<vtkPointSet> read_with(const std::filesystem::path& path) {
   return points;
 }
 
+using ReadPoints = vtkSmartPointer<vtkPointSet> (*)(const std::filesystem::path&);
+
+ReadPoints reader_of(const std::filesystem::path& path, std::string_view text) {
+  const std::string_view head = text.substr(0, head_bytes);
+  if (head.starts_with("# vtk")) return read_with<vtkGenericDataObjectReader>;
+  if (head.find("\"UnstructuredGrid\"") != std::string_view::npos) return read_with<vtkXMLUnstructuredGridReader>;
+  if (head.find("\"PolyData\"") != std::string_view::npos) return read_with<vtkXMLPolyDataReader>;
+  throw InputError(path.string() + ": is XML, but neither VTK's UnstructuredGrid (.vtu) nor its PolyData (.vtp)");
+}
+
+/// VTK's readers may crash on a damaged file, so they have a try at it first.
 vtkSmartPointer<vtkPointSet> read_points(const std::filesystem::path& path) {
   const MappedFile file(path);
-  const std::string_view head = file.text().substr(0, head_bytes);
-  if (head.starts_with("# vtk")) return read_with<vtkGenericDataObjectReader>(path);
-  if (head.find("\"UnstructuredGrid\"") != std::string_view::npos) return read_with<vtkXMLUnstructuredGridReader>(path);
-  if (head.find("\"PolyData\"") != std::string_view::npos) return read_with<vtkXMLPolyDataReader>(path);
-  throw InputError(path.string() + ": is XML, but neither VTK's UnstructuredGrid (.vtu) nor its PolyData (.vtp)");
+  const ReadPoints read = reader_of(path, file.text());
+  const std::string failure =
+      failure_in_trial(memory_at_least + memory_over_file_size * file.text().size(), [&] { read(path); });
+  if (!failure.empty()) throw InputError(path.string() + ": damaged: " + failure);
+  return read(path);
 }
 
 std::vector<double> component(vtkDataArray& array, int k) {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/formats/text_output.hpp"
 #include "core/text_lines.hpp"
 
 namespace packstone::formats {
@@ -218,8 +217,7 @@ ParticleColumns read_xyz_frame(std::string_view text, const std::string& source,
   return columns;
 }
 
-void write_xyz(const std::filesystem::path& path, const Snapshot& s, bool append) {
-  TextOutput out(path, append);
+void write_xyz(TextOutput& out, const Snapshot& s) {
   const Vec3 size = s.domain.size();
   const auto flag = [&](int k) { return s.domain.periodic[k] ? "T" : "F"; };
   const bool with_mass = s.size() > 0 && s.has_masses();
@@ -247,7 +245,6 @@ void write_xyz(const std::filesystem::path& path, const Snapshot& s, bool append
     for (const auto& column : extra) out.print(" {}", column.value(i));
   }
   out.print("\n");
-  out.finish();
 }
 
 }  // namespace packstone::formats

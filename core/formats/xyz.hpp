@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "core/formats/number_rows.hpp"
 #include "core/formats/particle_columns.hpp"
+#include "core/formats/text_output.hpp"
 #include "core/snapshot.hpp"
 
 namespace packstone::formats {
@@ -35,8 +35,7 @@ std::vector<XyzFrame> index_xyz(std::string_view text, const std::string& source
 /// The particles of a frame of the index above. Species name the types; a column type numbers them from 0.
 ParticleColumns read_xyz_frame(std::string_view text, const std::string& source, const XyzFrame& frame);
 
-/// Writes the snapshot as one frame, at the end of the file when append is set; numbers come back to the last bit.
-/// Throws RunError when the disk refuses.
-void write_xyz(const std::filesystem::path& path, const Snapshot& snapshot, bool append);
+/// Adds the snapshot as a frame; numbers come back to the last bit. Throws RunError when the disk refuses.
+void write_xyz(TextOutput& out, const Snapshot& snapshot);
 
 }  // namespace packstone::formats

@@ -123,11 +123,13 @@ TEST_CASE("particles of another program's dumps are followed by id, though their
   const testing::TemporaryFolder folder;
   Snapshot s = empty_box(Vec3(10, 10, 10), {true, true, false});
   for (int k = 0; k < 8; ++k) add_particle(s, Vec3(1 + k, 5, 1 + k), 0.5);
-  write_packing(folder / "a.dump", s);
+  PackingWriter writer(folder / "a.dump");
+  writer.write(s);
   for (Vec3& p : s.position) p = Vec3(p.x() - 2, p.y(), 10 - p.z());  // the lowest comes to lie highest
   s.time = 1;
   for (Vec3& p : s.position) p = s.domain.wrapped(p);
-  write_packing(folder / "a.dump", s, true);
+  writer.write(s);
+  writer.finish();
   const RunReader run(folder / "a.dump");
   CHECK(run.snapshot(0).id != run.snapshot(1).id);
   SeriesOptions options;

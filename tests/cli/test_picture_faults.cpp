@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "core/files.hpp"
+#include "faults.hpp"
 #include "small_run.hpp"
 
 using namespace packstone;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using testing::check_one_line;
+using testing::check_refusal;
+using testing::contents;
 using testing::packstone_command;
+using testing::SmallDisk;
 using testing::SmallRun;
 using testing::TemporaryFolder;
 namespace fs = std::filesystem;
@@ -62,32 +65,6 @@ std::vector<Output> all_outputs(const std::string& run) {
   return outputs;
 }
 
-/// All that is in a folder: of a file its bytes, of a folder none.
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> all;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    all[fs::relative(entry.path(), folder).string()] = entry.is_directory() ? "" : read_text_file(entry.path());
-  }
-  return all;
-}
-
-void check_one_line(const testing::Result& result) {
-  CHECK((result.exit_code == 1 || result.exit_code == 2));
-  CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 1);
-  CHECK_THAT(result.output, StartsWith("packstone: error: "));
-}
-
-/// The call fails with one line that has the words, and leaves the folder as it is.
-void check_refusal(const std::string& call, const std::string& words, const fs::path& folder,
-                   const std::string& environment = "") {
-  const auto before = contents(folder);
-  const auto result = packstone_command(call, environment);
-  INFO(call << "\n" << result.output);
-  check_one_line(result);
-  CHECK_THAT(result.output, Contains(words));
-  CHECK((contents(folder) == before));
-}
-
 /// Something of an earlier call in the output's place.
 void put_before(const Output& output, const fs::path& folder) {
   const fs::path file = output.file_in(folder);
@@ -102,41 +79,6 @@ void write_dump(const fs::path& path, int particles) {
        << particles << "\nITEM: BOX BOUNDS pp pp ff\n0 0.1\n0 0.1\n0 0.1\nITEM: ATOMS id type x y z radius\n";
   for (int k = 1; k <= particles; ++k) dump << k << " 1 0.05 0.05 0.02 0.01\n";
 }
-
-/// A file system of a few pages on the folder "disk", and what is in it afterwards in "left".
-class SmallDisk {
- public:
-  SmallDisk() {
-    fs::create_directory(folder_ / "disk");
-    fs::create_directory(folder_ / "old");
-  }
-
-  /// Whether this user may mount one in a namespace of its own.
-  bool can_be_made() const { return in_namespace("true", "size=4k").exit_code == 0; }
-  fs::path disk() const { return folder_ / "disk"; }
-  fs::path old() const { return folder_ / "old"; }  ///< what is on the disk before
-  fs::path left() const { return folder_ / "left"; }
-
-  /// Before the call the script "prepare" is run.
-  testing::Result run(const std::string& call, const std::string& mount_options, const std::string& prepare = "true") {
-    fs::remove_all(left());
-    fs::create_directory(left());
-    const auto q = [](const fs::path& path) { return testing::quoted(path); };
-    return in_namespace("cp -r " + q(old()) + "/. " + q(disk()) + " && " + prepare + "\n" + PACKSTONE_COMMAND + " " +
-                            call + "\ncode=$?\ncp -r " + q(disk()) + "/. " + q(left()) + "\nexit $code",
-                        mount_options);
-  }
-
- private:
-  testing::Result in_namespace(const std::string& script, const std::string& mount_options) const {
-    std::ofstream(folder_ / "script.sh") << "mount -t tmpfs -o " << mount_options << " none " << testing::quoted(disk())
-                                         << " || exit\n"
-                                         << script << "\n";
-    return testing::shell("unshare -rm sh " + testing::quoted(folder_ / "script.sh"));
-  }
-
-  TemporaryFolder folder_;
-};
 
 }  // namespace
 

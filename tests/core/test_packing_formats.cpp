@@ -97,18 +97,23 @@ TEST_CASE("a packing comes back from every format to the last bit") {
 TEST_CASE("several instants go into one dump and one XYZ file, and come back in order") {
   const TemporaryFolder folder;
   const auto file = folder / GENERATE("a.lammpstrj", "a.extxyz");
+  PackingWriter writer(file);
   for (int k = 0; k < 3; ++k) {
     Snapshot s = random_packing(10 + static_cast<std::size_t>(k));
     s.time = 0.5 * k;
-    write_packing(file, s, k > 0);
+    writer.write(s);
+    CHECK_FALSE(std::filesystem::exists(file));  // nobody takes some of the instants for all
   }
+  writer.finish();
   const PackingSeries series({file});
   REQUIRE(series.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(series.time(k) == 0.5 * static_cast<double>(k));
     CHECK(series.snapshot(k).size() == 10 + k);
   }
-  CHECK_THROWS_WITH(write_packing(folder / "a.csv", random_packing(2), true), Contains("holds one instant"));
+  PackingWriter table(folder / "a.csv");
+  table.write(random_packing(2));
+  CHECK_THROWS_WITH(table.write(random_packing(2)), Contains("holds one instant"));
   CHECK_THROWS_WITH(write_packing(folder / "a.png", random_packing(2)), Contains("\".png\" is no format"));
   CHECK_THROWS_AS(write_packing("/no/such/folder/a.csv", random_packing(2)), RunError);
 }
