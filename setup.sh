@@ -4,10 +4,13 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-usage="usage: ./setup.sh [build|demo|test [OPTION...]|bench [OPTION...]]
+usage="usage: ./setup.sh [build|demo|test [OPTION...]|sanitize [threads]|bench [OPTION...]]
   build  install the packages and build build/packstone (the default)
   demo   build, then run sample 01 from the scene to the report
-  test   build, then run the tests; options go to ctest: -C long -L long runs those of minutes instead
+  test   build, then run the tests, and those of files and readers under AddressSanitizer and UndefinedBehaviorSanitizer;
+         options go to ctest: -C long -L long runs those of minutes instead
+  sanitize  build without VTK, then run all tests under AddressSanitizer and UndefinedBehaviorSanitizer;
+         threads: those of the engine and of measures under ThreadSanitizer
   bench  install LAMMPS and LIGGGHTS too, then run the same beds through all three;
          \`./setup.sh bench --help\` has the options, tests/bench/README.md the rest"
 
@@ -17,6 +20,7 @@ library_packages=(libeigen3-dev libhdf5-dev libfmt-dev libcli11-dev libtomlplusp
                   libcairo2-dev libopenmpi-dev)
 program_packages=(ffmpeg openmpi-bin libegl1 fontconfig fonts-dejavu-core)
 test_packages=(catch2 python3-h5py voro++ poppler-utils locales)
+clang_packages=(clang libomp-dev)  # for fuzzing and ThreadSanitizer
 bench_packages=(lammps liggghts libbenchmark-dev)
 
 say() { printf '\n== %s\n' "$*"; }
@@ -53,6 +57,31 @@ run_tests() {
   build ON
   say "running the tests"
   (cd build && ctest --output-on-failure --parallel 2 "$@")
+  if [ $# -eq 0 ]; then sanitize sanitize test_core test_fuzz; fi
+}
+
+# sanitize PRESET TARGET... builds these tests and runs them.
+sanitize() {
+  say "building ${*:2} for the preset $1"
+  cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON
+  cmake --build --preset "$1" --target "${@:2}"
+  say "running ${*:2}"
+  (cd "build-$1" && ctest --output-on-failure --parallel 2 --no-tests=error \
+    --tests-regex "^($(printf '%s|' "${@:2}" | sed 's/test_//g; s/|$//')): ")
+}
+
+run_sanitized() {
+  install_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
+  case "${1:-}" in
+    "") sanitize sanitize test_core test_engine test_analysis test_fuzz test_cli ;;
+    threads)
+      install_packages "${clang_packages[@]}"
+      archer=$(find /usr/lib/llvm-*/lib -name libarcher.so | head -1)
+      export OMP_TOOL_LIBRARIES=$archer TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1"
+      sanitize sanitize-threads test_engine test_analysis
+      ;;
+    *) echo "$usage" >&2; exit 2 ;;
+  esac
 }
 
 run_benchmark() {
@@ -66,6 +95,7 @@ case "${1:-build}" in
   build) build OFF ;;
   demo) demo ;;
   test) run_tests "${@:2}" ;;
+  sanitize) run_sanitized "${@:2}" ;;
   bench) run_benchmark "${@:2}" ;;
   -h|--help) echo "$usage" ;;
   *) echo "$usage" >&2; exit 2 ;;

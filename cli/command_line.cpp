@@ -43,7 +43,7 @@ const CLI::Validator& is_number() {
 int report(ExitCode code, const std::string& message) {
   if (!speaks_for_all()) return static_cast<int>(ExitCode::done);
   const char* kind = code == ExitCode::interrupted ? "interrupted" : "error";
-  fmt::print(stderr, "packstone: {}: {}\n", kind, message);
+  std::fputs(fmt::format("packstone: {}: {}\n", kind, message).c_str(), stderr);  // also where that cannot be written
   return static_cast<int>(code);
 }
 

@@ -15,9 +15,11 @@ namespace {
 
 constexpr hsize_t aligned_from = 1024, alignment = 64;  // [bytes]
 
-/// HDF5 prints its own error stack to stderr unless told not to.
+/// HDF5 prints its own error stack to stderr unless told not to. When the program ends it closes what could not be
+/// closed on a full disk once more, and crashes.
 void silence() {
   static const bool done = [] {
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     return true;
   }();
@@ -142,8 +144,12 @@ void Writer::finish(Lasting lasting) {
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "flush file");
   if (!file_.close()) fail("close file");
   std::sort(columns_.begin(), columns_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  const std::string sums = Checksums(formats::MappedFile(pending_.name()).text(), std::move(columns_)).text();
-  append_to_file(pending_.name(), sums);
+  try {
+    const formats::MappedFile written(pending_.name());
+    append_to_file(pending_.name(), Checksums(written.text(), std::move(columns_)).text());
+  } catch (const InputError& gone) {
+    throw RunError(gone.what());
+  }
   pending_.commit(lasting);
 }
 

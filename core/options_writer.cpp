@@ -24,7 +24,15 @@ std::string toml_text(const std::string& text) {
   return result + "\"";
 }
 
-std::string vector_text(const Vec3& v) { return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]); }
+/// The fewest digits that bring the number back; -0 is one, which TOML takes for the whole number 0.
+std::string number_text(double value) {
+  const std::string text = fmt::format("{}", value);
+  return text == "-0" ? "-0.0" : text;
+}
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("[{}, {}, {}]", number_text(v[0]), number_text(v[1]), number_text(v[2]));
+}
 
 }  // namespace
 
@@ -33,10 +41,10 @@ void OptionWriter::line(const OptionInfo& info, const std::string& value) {
       fmt::format("{} = {}{}\n", info.key, value, *info.unit.symbol ? fmt::format("  # {}", info.unit.symbol) : "");
 }
 
-void OptionWriter::number(const OptionInfo& info, double& value, Presence) { line(info, fmt::format("{}", value)); }
+void OptionWriter::number(const OptionInfo& info, double& value, Presence) { line(info, number_text(value)); }
 
 void OptionWriter::number(const OptionInfo& info, std::optional<double>& value) {
-  if (value) line(info, fmt::format("{}", *value));
+  if (value) line(info, number_text(*value));
 }
 
 void OptionWriter::integer(const OptionInfo& info, std::int64_t& value, Presence) {
@@ -62,13 +70,13 @@ void OptionWriter::vector(const OptionInfo& info, std::optional<Vec3>& value) {
 }
 
 void OptionWriter::number_or(const OptionInfo& info, const char* word, std::optional<double>& value) {
-  line(info, value ? fmt::format("{}", *value) : toml_text(word));
+  line(info, value ? number_text(*value) : toml_text(word));
 }
 
 void OptionWriter::numbers(const OptionInfo& info, std::vector<double>& value) {
   if (value.empty()) return;
   std::vector<std::string> words;
-  for (const double number : value) words.push_back(fmt::format("{}", number));
+  for (const double number : value) words.push_back(number_text(number));
   line(info, "[" + joined(words) + "]");
 }
 

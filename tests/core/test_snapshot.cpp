@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/checksums.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
@@ -136,6 +137,7 @@ TEST_CASE("boundaries come back with their surfaces, each with its own") {
     CHECK(is.triangles == was.triangles);
   }
   s.boundaries.clear();
+  s.contacts.reset();
   write_snapshot(folder / "none.vtkhdf", s);
   CHECK(read_snapshot(folder / "none.vtkhdf").boundaries.empty());
 }
@@ -177,7 +179,8 @@ TEST_CASE("surfaces that refer to what is not there are refused") {
 
   s.boundaries = walls_of_all_sorts();
   write_snapshot(folder / "good.vtkhdf", s);
-  const std::string bytes = read_text_file(folder / "good.vtkhdf");
+  std::string bytes = read_text_file(folder / "good.vtkhdf");
+  bytes.resize(bytes.size() - Checksums::behind(bytes)->text().size());  // which would tell before
   const auto write_patched = [&](const std::vector<std::int64_t>& from, const std::vector<std::int64_t>& to) {
     std::ofstream(folder / "bad.vtkhdf", std::ios::binary) << patched(bytes, from, to);
   };

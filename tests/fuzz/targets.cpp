@@ -54,7 +54,11 @@ void read_scene_text(const std::string& input) {
   } catch (const InputError& error) {
     throw std::logic_error(std::string("the scene is refused when it is written and read again: ") + error.what());
   }
-  if (again != written) throw std::logic_error("the scene is another one when it is written and read again");
+  const auto [one, other] = std::mismatch(written.begin(), written.end(), again.begin(), again.end());
+  if (one == written.end() && other == again.end()) return;
+  throw std::logic_error("the scene is another one when it is written and read again, from here on: " +
+                         std::string(one, written.end()).substr(0, 80) + " is " +
+                         std::string(other, again.end()).substr(0, 80));
 }
 
 void read_csv(const std::string& input) { to_snapshot(read_csv_table(input, "fuzz")); }
@@ -110,8 +114,7 @@ void read_formula(const std::string& input) {
 void read_grid(const std::string& input) { engine::surface_of_grid(file_of(input, "grid.csv").string()); }
 
 void read_amount(const std::string& input) {
-  parse_quantity(input, unit::metre);
-  parse_vector(input, unit::stiffness);
+  if (!parse_vector(input, unit::metre)) parse_quantity(input, unit::metre);
 }
 
 #ifdef PACKSTONE_HAS_VTK
