@@ -313,6 +313,21 @@ TEST_CASE("An overdamped run to rest ends in the bed of the whole motion", "[res
                     Contains("unbalanced force is still above 0.05"));
 }
 
+TEST_CASE("A bed does not rest before the slowest spheres have sunk", "[rest]") {
+  // The smallest sink five times as slowly as the largest, and weigh a fifth.
+  RestRun quick(overdamped_bed({"dynamics.goal=\"rest\"", "dynamics.way_overlap=0.01", "dynamics.duration=300",
+                                "particles[0].radius={distribution=\"uniform\",min=0.006,max=0.01}"}));
+  SimulationEvents events;
+  double highest = 0;
+  events.snapshot = [&](const Snapshot& s) {
+    highest = 0;
+    for (const Vec3& place : s.position) highest = std::max(highest, place[2]);
+  };
+  quick.run(events);
+  constexpr double deep = 0.06;  // the solid volume over the floor and a fraction of 0.55, and a diameter
+  CHECK(highest < deep);
+}
+
 TEST_CASE("Scenes whose bed depends on the way are refused", "[rest]") {
   const auto refused = [](const std::vector<std::string>& overrides, const std::string& why) {
     CHECK_THROWS_WITH(small_bed(overrides), Contains(why));
