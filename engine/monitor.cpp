@@ -16,9 +16,6 @@ namespace {
 
 constexpr const char* face_names[face_count] = {"x-", "x+", "y-", "y+", "z-", "z+"};
 
-/// Share of a radius that a particle, or a boundary beside the smallest, may go in one step.
-constexpr double longest_step = 0.5;
-
 constexpr double safe_share = 0.9;  ///< of a limit, for a value that keeps it after rounding
 
 constexpr std::size_t most_accused = 20;  ///< particles that a verdict names
@@ -98,14 +95,6 @@ void Monitor::advise_step(RunVerdict& verdict) const {
     constexpr double stricter = 0.1;
     verdict.remedies.push_back({"dynamics.tolerance", fmt::format("{:.3g}", stricter * *scene_.dynamics.tolerance)});
   }
-}
-
-bool Monitor::is_sound(const Row& row) const {
-  const double way = longest_step * row.radius;
-  const Vec3& p = row.position;
-  // Comparisons with what is not a number are false.
-  return row.velocity.squaredNorm() * dt_ * dt_ <= way * way && (p.array() >= lowest_.array()).all() &&
-         (p.array() <= highest_.array()).all();
 }
 
 void Monitor::check_positions(const Particles& particles, double time) const {

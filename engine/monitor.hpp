@@ -67,7 +67,16 @@ class Monitor {
   void archive(Archive& a) { a(largest_input_, lowest_unfed_); }
 
  private:
-  bool is_sound(const Row& row) const;
+  /// Share of a radius that a particle, or a boundary beside the smallest, may go in one step.
+  static constexpr double longest_step = 0.5;
+
+  /// Without branches: it is asked of every particle at every look. Comparisons with what is not a number are false.
+  bool is_sound(const Row& row) const {
+    const double way = longest_step * row.radius;
+    bool sound = row.velocity.squaredNorm() * dt_ * dt_ <= way * way;
+    for (int k = 0; k < 3; ++k) sound &= (row.position[k] >= lowest_[k]) & (row.position[k] <= highest_[k]);
+    return sound;
+  }
   /// By how much a place is beyond a face, less what an open face allows; below 0 where it is not [m].
   double beyond(int face, const Vec3& place) const;
   bool is_open(int face) const;
