@@ -81,10 +81,12 @@ struct Trial {
   bool passes(const std::vector<std::string>& set = {}) {
     ++runs;
     std::ofstream(folder / "scene.toml") << text;
+    RunControl control;
+    control.threads = 1;
     bool finished = true;
     std::string message;
     try {
-      run_scene(read_scene(folder / "scene.toml", set), path(), RunControl{.threads = 1});
+      run_scene(read_scene(folder / "scene.toml", set), path(), control);
     } catch (const RunFailure& failure) {
       finished = false;
       message = failure.what();
