@@ -127,6 +127,13 @@ void FailingState::mark(Snapshot& snapshot, const RunVerdict& verdict) const {
   for (const NamedParticle& p : verdict.touching) offender.values[static_cast<std::size_t>(p.id)] = 2;
   for (const NamedParticle& p : verdict.particles) offender.values[static_cast<std::size_t>(p.id)] = 1;
   snapshot.fields[offender_field] = std::move(offender);
+  Field velocity{3, "m/s", std::vector<double>(3 * snapshot.size())};
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) {
+    if (!particles.is_particle(slot)) continue;
+    const Vec3& v = particles.now.rows[slot].velocity;
+    std::copy(v.begin(), v.end(), velocity.values.begin() + 3 * static_cast<std::ptrdiff_t>(particles.id[slot]));
+  }
+  snapshot.fields["velocity"] = std::move(velocity);
   std::vector<bool> there(snapshot.size(), true);
   for (const std::size_t slot : slots_where(
            particles, [&](std::size_t candidate) { return !particles.now.rows[candidate].position.allFinite(); })) {

@@ -25,9 +25,9 @@ struct FailingState {
   /// of the first where it is not known.
   void name_contacts(RunVerdict& verdict) const;
 
-  /// Marks the verdict's particles in a snapshot of this instant, whose rows are by id, by offender_field. One whose
-  /// position is not a number is put where it was at the other instant or, if that is none either, left out; notes say
-  /// so.
+  /// Marks the verdict's particles in a snapshot of this instant, whose rows are by id, by offender_field, and adds
+  /// velocities as contacts see them. One whose position is not a number is put where it was at the other instant or,
+  /// if that is none either, left out; notes say so.
   void mark(Snapshot& snapshot, const RunVerdict& verdict) const;
 
  private:

@@ -337,15 +337,6 @@ void Simulation::fail(RunVerdict verdict, const SimulationEvents& events) const 
   state.name_contacts(verdict);
   if (events.failure) {
     Snapshot snapshot = described(steps_done_);
-    Field velocity{3, "m/s", std::vector<double>(3 * snapshot.size())};
-    for (std::size_t slot = 0; slot < particles_.slots(); ++slot) {
-      if (!particles_.is_particle(slot)) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        velocity.values[3 * static_cast<std::size_t>(particles_.id[slot]) + axis] =
-            particles_.now.rows[slot].velocity[axis];
-      }
-    }
-    snapshot.fields["velocity"] = std::move(velocity);
     state.mark(snapshot, verdict);
     events.failure(snapshot);
   }

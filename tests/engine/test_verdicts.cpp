@@ -187,6 +187,8 @@ TEST_CASE("verdict: a particle faster than half a radius a step", "[verdict]") {
   CHECK(ids(trial.verdict().particles) == std::set<std::int64_t>{3});
   CHECK(trial.verdict().value == Approx(0.8).epsilon(0.01));
   CHECK(trial.verdict().limit == 0.5);
+  const Snapshot state = read_snapshot(trial.path() / failing_state_name);
+  CHECK(state.fields.at("velocity").values[3 * state.rows_by_id().at(3) + 2] == Approx(800));
   CHECK(trial.passes_with_remedy(0, {"dynamics.duration=5 ms"}));
 }
 
