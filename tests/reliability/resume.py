@@ -17,20 +17,21 @@ SAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "
 
 # Keys that bring a run to seconds.
 SMALL = {
-    "01_density_segregation": ["particles[0].count=300", "particles[1].count=300", "dynamics.duration=0.5"],
-    "02_binary_packing": ["particles[0].count=5", "particles[1].count=1500", "dynamics.duration=0.3"],
-    "03_equal_spheres": ["particles[0].count=800", "dynamics.duration=0.3"],
-    "04_cohesive_powder": ["particles[0].count=500", "dynamics.duration=5 ms"],
-    "05_funnel_discharge": ["particles[0].count=1000", "stage[0].duration=0.1", "stage[1].duration=0.15"],
-    "06_tapped_bed": ["particles[0].count=500", "stage[0].duration=0.1", "stage[1].duration=0.3"],
-    "07_wavy_floor": ["particles[0].count=600", "dynamics.duration=0.2"],
-    "08_polygon_bin": ["particles[0].count=800", "dynamics.duration=0.25"],
-    "09_piston": ["particles[0].count=400", "stage[0].duration=0.05", "stage[1].duration=0.05"],
-    "10_heap": ["particles[0].count=600", "dynamics.duration=0.4"],
-    "11_silo": ["particles[0].count=300", "filling.portions=3", "dynamics.duration=1.5"],
-    "12_overdamped": ["particles[0].count=300", "dynamics.duration=10", "output.interval=2"],
-    "13_quick_rest": ["particles[0].count=1500"],
-    "14_aristotelian": ["particles[0].count=1500"],
+    "01_density_segregation": ["particles[0].count=300", "particles[1].count=300", "dynamics.duration=0.3"],
+    "02_binary_packing": ["particles[0].count=24", "particles[1].count=2500", "dynamics.duration=0.06",
+                          "filling.duration=0.03", "gravity.start=0.03", "output.interval=0.02"],
+    "03_equal_spheres": ["particles[0].count=500", "dynamics.duration=0.25"],
+    "04_cohesive_powder": ["particles[0].count=300", "dynamics.duration=2 ms"],
+    "05_funnel_discharge": ["particles[0].count=800", "stage[0].duration=0.05", "stage[1].duration=0.1"],
+    "06_tapped_bed": ["particles[0].count=500", "stage[0].duration=0.1", "stage[1].duration=0.15"],
+    "07_wavy_floor": ["particles[0].count=200", "dynamics.duration=0.05"],
+    "08_polygon_bin": ["particles[0].count=800", "dynamics.duration=0.2"],
+    "09_piston": ["particles[0].count=400", "stage[0].duration=0.03", "stage[1].duration=0.03"],
+    "10_heap": ["particles[0].count=400", "dynamics.duration=0.25"],
+    "11_silo": ["particles[0].count=200", "filling.portions=2", "dynamics.duration=0.8"],
+    "12_overdamped": ["particles[0].count=300", "dynamics.duration=6", "output.interval=2"],
+    "13_quick_rest": ["particles[0].count=500"],
+    "14_aristotelian": ["particles[0].count=400"],
 }
 
 

@@ -72,7 +72,9 @@ def run_for(command, seconds, how):
 def timed(command):
     """Wall time of a command that must succeed [s]."""
     start = time.monotonic()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr}")
     return time.monotonic() - start
 
 
