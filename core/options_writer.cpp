@@ -1,5 +1,7 @@
 #include "core/options_writer.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/text.hpp"
