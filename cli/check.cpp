@@ -10,6 +10,7 @@
 
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "core/files.hpp"
 #include "core/formats/text_output.hpp"
 #include "core/scene.hpp"
 #include "engine/scene_check.hpp"
@@ -170,7 +171,10 @@ void check(const CheckOptions& options) {
   if (std::filesystem::equivalent(options.minimal, options.scene, none_there)) {
     throw InputError(fmt::format("--minimal {}: is the scene itself; name another file", options.minimal.string()));
   }
-  if (!options.minimal.empty()) write_minimal(options, scene, result);
+  if (!options.minimal.empty()) {
+    check_writable(options.minimal);
+    write_minimal(options, scene, result);
+  }
   if (options.json) {
     fmt::print("{}\n", as_json(result).dump(2));
   } else {

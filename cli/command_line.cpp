@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -107,7 +108,9 @@ void parse_or_help(CLI::App& app, std::vector<std::string> words) {
   try {
     app.parse(std::move(words));
   } catch (const CLI::Success& asked) {
-    if (speaks_for_all()) app.exit(asked);
+    std::ostringstream words_of_help;
+    app.exit(asked, words_of_help, words_of_help);
+    if (speaks_for_all()) fmt::print("{}", words_of_help.str());
   }
 }
 

@@ -147,8 +147,8 @@ void Writer::finish(Lasting lasting) {
   try {
     const formats::MappedFile written(pending_.name());
     append_to_file(pending_.name(), Checksums(written.text(), std::move(columns_)).text());
-  } catch (const InputError& gone) {
-    throw RunError(gone.what());
+  } catch (const std::exception& error) {
+    throw RunError(fmt::format("{}: cannot be written: {}", pending_.target().string(), error.what()));
   }
   pending_.commit(lasting);
 }

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/error.hpp"
+
 namespace packstone {
 
 namespace {
@@ -32,7 +34,7 @@ void limit(int what, rlim_t value) {
   setrlimit(static_cast<__rlimit_resource>(what), &limits);
 }
 
-[[noreturn]] void try_here(std::size_t more_memory, const std::function<void()>& work) {
+[[noreturn]] void try_here(std::size_t more_memory, const std::function<std::string()>& work, int to_parent) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU}) std::signal(number, SIG_DFL);
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
@@ -41,7 +43,12 @@ void limit(int what, rlim_t value) {
   limit(RLIMIT_AS, memory_in_use() + more_memory);
   alarm(longest);
   try {
-    work();
+    const std::string result = work();
+    for (std::size_t sent = 0; sent < result.size();) {
+      const ssize_t count = write(to_parent, result.data() + sent, result.size() - sent);
+      if (count < 0) _exit(no_memory);
+      sent += static_cast<std::size_t>(count);
+    }
   } catch (const std::bad_alloc&) {
     _exit(no_memory);
   } catch (...) {
@@ -50,23 +57,52 @@ void limit(int what, rlim_t value) {
   _exit(0);
 }
 
-}  // namespace
-
-std::string failure_in_trial(std::size_t more_memory, const std::function<void()>& work) {
-  std::fflush(nullptr);  // or both processes write what is still there
-  const pid_t child = fork();
-  if (child < 0) return "";
-  if (child == 0) try_here(more_memory, work);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return "";
+std::string all_from(int source) {
+  std::string all;
+  char part[1 << 16];
+  for (;;) {
+    const ssize_t count = read(source, part, sizeof part);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return all;
+    all.append(part, static_cast<std::size_t>(count));
   }
+}
+
+std::string failure_of(int status) {
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
     return number == SIGALRM || number == SIGXCPU ? "reading it does not end" : "reading it crashes";
   }
   if (WEXITSTATUS(status) == no_memory) return "it asks for more memory than it could fill";
   return WEXITSTATUS(status) == 0 ? "" : "reading it crashes";
+}
+
+}  // namespace
+
+Trial tried(std::size_t more_memory, const std::function<std::string()>& work) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw RunError(std::string("a file cannot be tried: ") + std::strerror(errno));
+  std::fflush(nullptr);  // or both processes write what is still there
+  const pid_t child = fork();
+  if (child == 0) try_here(more_memory, work, ends[1]);
+  const int error = errno;
+  close(ends[1]);
+  Trial trial;
+  if (child > 0) trial.result = all_from(ends[0]);
+  close(ends[0]);
+  if (child < 0) throw RunError(std::string("a file cannot be tried: ") + std::strerror(error));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  trial.failure = failure_of(status);
+  return trial;
+}
+
+std::string failure_in_trial(std::size_t more_memory, const std::function<void()>& work) {
+  const auto without_result = [&] {
+    work();
+    return std::string();
+  };
+  return tried(more_memory, without_result).failure;
 }
 
 }  // namespace packstone

@@ -141,13 +141,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--verbs", default="run,analyze,convert,render")
     arguments = parser.parse_args()
-    chance = random.Random(arguments.seed)
+    chance, program = random.Random(arguments.seed), arguments.program.resolve()
     with tempfile.TemporaryDirectory(prefix="packstone-kills-") as name:
         folder = pathlib.Path(name)
         scene, run = folder / "scene.toml", folder / "earlier"
         scene.write_text(SCENE)
-        subprocess.run([arguments.program, "run", scene, "--quiet", "--threads", "1", "-o", run], check=True)
-        verbs = list(verbs_of(arguments.program.resolve(), scene, run, folder, arguments.verbs.split(",")))
+        subprocess.run([program, "run", scene, "--quiet", "--threads", "1", "-o", run], check=True)
+        verbs = list(verbs_of(program, scene, run, folder, arguments.verbs.split(",")))
         for number in range(arguments.rounds):
             verb = verbs[number % len(verbs)]
             verb.kill_after(chance.random() * verb.seconds)
