@@ -23,13 +23,12 @@ SCENE = """
 title = "Killed"
 seed = 3
 [dynamics]
-time_step = "20 us"
-duration = "60 ms"
+time_step = "5 us"
+duration = "20 ms"
 [domain]
 min = [0, 0, 0]
 max = [0.2, 0.2, 0.4]
-periodic = ["x", "y"]
-open = ["z+"]
+periodic = ["x", "y", "z"]
 [contact]
 normal = "hysteretic"
 [[material]]
@@ -43,9 +42,9 @@ count = 2000
 radius = "5 mm"
 [filling]
 kind = "growth"
-duration = "30 ms"
+duration = "10 ms"
 [output]
-interval = "2 ms"
+interval = "1 ms"
 history_interval = "0.2 ms"
 fields = ["velocity"]
 """
