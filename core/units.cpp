@@ -48,6 +48,8 @@ std::optional<Factor> named_unit(std::string_view name) {
   return std::nullopt;
 }
 
+constexpr int largest_power = 9;
+
 /// "m3", "s^2", "kg": a name and an optional power.
 std::optional<Factor> unit_power(std::string_view word) {
   const std::size_t name_end = word.find_first_of("^0123456789-");
@@ -58,7 +60,7 @@ std::optional<Factor> unit_power(std::string_view word) {
   if (digits.starts_with('^')) digits.remove_prefix(1);
   int power = 0;
   const auto [end, error] = std::from_chars(digits.begin(), digits.end(), power);
-  if (error != std::errc() || end != digits.end()) return std::nullopt;
+  if (std::abs(power) > largest_power || error != std::errc() || end != digits.end()) return std::nullopt;
   return Factor{std::pow(unit->scale, power),
                 {unit->dimension.length * power, unit->dimension.mass * power, unit->dimension.time * power}};
 }
