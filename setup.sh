@@ -7,8 +7,7 @@ cd "$(dirname "$0")"
 usage="usage: ./setup.sh [build|demo|test [OPTION...]|sanitize [threads]|bench [OPTION...]]
   build  install the packages and build build/packstone (the default)
   demo   build, then run sample 01 from the scene to the report
-  test   build, then run the tests, and those of files and readers under AddressSanitizer and UndefinedBehaviorSanitizer;
-         options go to ctest: -C long -L long runs those of minutes instead
+  test   build, then run the tests; options go to ctest: -C long -L long runs those of minutes instead
   sanitize  build without VTK, then run all tests under AddressSanitizer and UndefinedBehaviorSanitizer;
          threads: those of the engine and of measures under ThreadSanitizer
   bench  install LAMMPS and LIGGGHTS too, then run the same beds through all three;
@@ -57,7 +56,6 @@ run_tests() {
   build ON
   say "running the tests"
   (cd build && ctest --output-on-failure --parallel 2 "$@")
-  if [ $# -eq 0 ]; then sanitize sanitize test_core test_fuzz; fi
 }
 
 # sanitize PRESET TARGET... builds these tests and runs them.

@@ -48,7 +48,7 @@ std::optional<Factor> named_unit(std::string_view name) {
   return std::nullopt;
 }
 
-constexpr int largest_power = 9;
+constexpr int largest_power = 9;  ///< of a unit that means something; their sums must not overflow
 
 /// "m3", "s^2", "kg": a name and an optional power.
 std::optional<Factor> unit_power(std::string_view word) {
@@ -60,7 +60,8 @@ std::optional<Factor> unit_power(std::string_view word) {
   if (digits.starts_with('^')) digits.remove_prefix(1);
   int power = 0;
   const auto [end, error] = std::from_chars(digits.begin(), digits.end(), power);
-  if (std::abs(power) > largest_power || error != std::errc() || end != digits.end()) return std::nullopt;
+  if (error != std::errc() || end != digits.end()) return std::nullopt;
+  if (power < -largest_power || power > largest_power) return std::nullopt;
   return Factor{std::pow(unit->scale, power),
                 {unit->dimension.length * power, unit->dimension.mass * power, unit->dimension.time * power}};
 }
