@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes every reader for so many seconds each, or the named ones: tests/fuzz/run.sh SECONDS [TARGET...]
-# What is found stays in build-fuzz/findings/TARGET; put a small one into tests/fuzz/regressions/TARGET once it is mended.
+# What is found stays in build-fuzz/findings/TARGET, beside inputs on which a trial died as it may; put a small one into tests/fuzz/regressions/TARGET once it is mended.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [TARGET...]}
@@ -14,11 +14,12 @@ for target in "${targets[@]}"; do
   corpus=build-fuzz/corpus/$target findings=build-fuzz/findings/$target
   mkdir -p "$corpus" "$findings"
   echo "== $target"
-  PACKSTONE_FUZZ_TARGET=$target PACKSTONE_FUZZ_SEEDS=$corpus "$program" "$corpus" \
+  if ! PACKSTONE_FUZZ_TARGET=$target PACKSTONE_FUZZ_SEEDS=$corpus "$program" "$corpus" \
     -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 \
-    -artifact_prefix="$findings/" -print_final_stats=1 2>&1 | grep -E '^stat|ERROR|SUMMARY|terminate|what\(\)|Test unit' ||
-    true
-  if [ -n "$(ls "$findings")" ]; then failed+=("$target"); fi
+    -artifact_prefix="$findings/" -print_final_stats=1 >"$findings.log" 2>&1; then
+    failed+=("$target")
+  fi
+  grep -E '^stat|SUMMARY|what\(\)' "$findings.log" | tail -8
 done
 if [ ${#failed[@]} -gt 0 ]; then
   echo "findings of: ${failed[*]}" >&2
