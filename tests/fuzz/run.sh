@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes every reader for so many seconds each, or the named ones: tests/fuzz/run.sh SECONDS [TARGET...]
-# What is found stays in build-fuzz/findings/TARGET, beside inputs on which a trial died as it may; put a small one into tests/fuzz/regressions/TARGET once it is mended.
+# What is found stays in build-fuzz/findings/TARGET, beside inputs on which a trial died as it may; put a small one into
+# tests/fuzz/regressions/TARGET once it is mended.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [TARGET...]}
