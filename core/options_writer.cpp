@@ -1,7 +1,5 @@
 #include "core/options_writer.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "core/text.hpp"

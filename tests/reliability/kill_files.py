@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills packstone's verbs at random moments and looks at what is left.
 
-    tests/faults/kill_rounds.py build/packstone [--rounds 200] [--seed 1] [--verbs run,analyze,convert,render]
+    tests/reliability/kill_files.py build/packstone [--rounds 200] [--seed 1] [--verbs run,analyze,convert,render]
 
 Each round starts a verb that replaces the files of an earlier call, kills it with SIGKILL after a random part of the
 time it takes, and checks that every file under its own name is whole: that of the earlier call or the new one, byte
