@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <stdexcept>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -50,6 +51,8 @@ void limit(int what, rlim_t value) {
       sent += static_cast<std::size_t>(count);
     }
   } catch (const std::bad_alloc&) {
+    _exit(no_memory);
+  } catch (const std::length_error&) {
     _exit(no_memory);
   } catch (...) {
     // This process will meet it too, and tell it.
