@@ -29,7 +29,7 @@ std::uint64_t checksum(std::uint64_t before, const void* data, std::size_t size)
 }
 
 template <class T>
-std::string_view bytes_of(const T& value) {
+std::string_view memory_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
@@ -43,7 +43,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& target) : file_(
   Head head{{}, format_version};
   std::copy(first_bytes.begin(), first_bytes.end(), head.mark);
   buffer_.reserve(buffer_size);
-  buffer_ += bytes_of(head);
+  buffer_ += memory_of(head);
   written_ = sizeof head;
 }
 
@@ -71,7 +71,7 @@ void CheckpointWriter::commit() {
   std::string table;
   for (const CheckpointPart& part : parts_) {
     const std::uint64_t length = part.name.size();
-    for (const std::uint64_t number : {part.offset, part.size, part.checksum, length}) table += bytes_of(number);
+    for (const std::uint64_t number : {part.offset, part.size, part.checksum, length}) table += memory_of(number);
     table += part.name;
   }
   Tail tail{
@@ -79,7 +79,7 @@ void CheckpointWriter::commit() {
   std::copy(last_bytes.begin(), last_bytes.end(), tail.mark);
   flush();
   file_.write(table);
-  file_.write(bytes_of(tail));
+  file_.write(memory_of(tail));
   file_.commit(Lasting::yes);
 }
 

@@ -308,9 +308,11 @@ void describe_output(OptionVisitor& v, OutputSpec& o) {
   v.boolean({"contacts", "Whether snapshots hold the contacts and their forces"}, o.contacts);
   v.number({"history_interval", "Time between rows of history.csv", unit::second, Range::positive()},
            o.history_interval, has_default);
-  v.number({"checkpoint_interval", "Wall time between checkpoints, from which run --resume goes on; without it 600 s",
-            unit::second, Range::positive()},
-           o.checkpoint_interval);
+  v.number(
+      {"checkpoint_interval",
+       "Wall time between checkpoints, from which run --resume goes on; without it 600 s, or 100 times what one takes",
+       unit::second, Range::positive()},
+      o.checkpoint_interval);
 }
 
 void describe_monitor(OptionVisitor& v, MonitorSpec& m) {

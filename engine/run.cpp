@@ -1,5 +1,6 @@
 #include "engine/run.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -39,6 +40,9 @@ std::string host_name() {
 
 constexpr const char* files_part = "files";
 
+/// Wall time between two checkpoints over what one takes, at least: they cost a run a percent at most.
+constexpr double times_between = 100;
+
 void tell(const std::function<void(const std::string&)>& to, const std::string& text) {
   if (to) to(text);
 }
@@ -76,7 +80,8 @@ class RecordedRun {
     writer_->write_scene(scene_text);
   }
 
-  RunRecord go(double checkpoint_interval) {
+  /// checkpoint_interval: of wall time [s]; none: the default, or longer where checkpoints take long.
+  RunRecord go(std::optional<double> checkpoint_interval) {
     SimulationEvents events;
     events.snapshot = [&](const Snapshot& snapshot) { writer_->write_snapshot(snapshot); };
     events.history = [&](const auto& columns, const auto& row) { writer_->append_history(columns, row); };
@@ -89,7 +94,10 @@ class RecordedRun {
     };
     events.progress = control_.progress;
     events.should_stop = control_.should_stop;
-    events.save_is_due = [&, checkpoint_interval] { return since_saved_.seconds() >= checkpoint_interval; };
+    events.save_is_due = [&, checkpoint_interval] {
+      return since_saved_.seconds() >=
+             checkpoint_interval.value_or(std::max(OutputSpec::default_checkpoint_interval, times_between * saving_));
+    };
     events.save = [&](const RunMoment& moment, const auto& state) { save(moment, state); };
     try {
       run_.run(events);
@@ -130,6 +138,7 @@ class RecordedRun {
   }
 
   void save(const RunMoment& moment, const std::function<void(Archive&)>& state) {
+    const Stopwatch clock;
     writer_->sync();
     checkpoints_.write({moment, program_fingerprint(), given_}, [&](Archive& a) {
       a.begin(files_part);
@@ -137,6 +146,7 @@ class RecordedRun {
       state(a);
     });
     write_record(RunStatus::running, "", moment.step);
+    saving_ = clock.seconds();
     since_saved_ = {};
   }
 
@@ -160,6 +170,7 @@ class RecordedRun {
   const RunControl& control_;
   Stopwatch clock_, since_saved_;
   double processor_before_ = processor_seconds();
+  double saving_ = 0;  ///< that the last checkpoint took [s]
   std::unique_ptr<CheckpointReader> saved_;
   Run run_;
   std::string given_;  ///< scene
@@ -172,7 +183,7 @@ class RecordedRun {
 
 template <class Run>
 RunRecord run_recorded(const Scene& scene, const std::filesystem::path& folder, const RunControl& control,
-                       const EarlierRun& earlier, double checkpoint_interval) {
+                       const EarlierRun& earlier, std::optional<double> checkpoint_interval) {
   return RecordedRun<Run>(scene, folder, control, earlier).go(checkpoint_interval);
 }
 
@@ -182,7 +193,7 @@ RunRecord run_scene(const Scene& given, const std::filesystem::path& folder, con
   omp_set_num_threads(control.threads > 0 ? control.threads : omp_get_num_procs());
   Scene scene = given;
   scene.output.checkpoint_interval.reset();  // how often a run is kept is no part of it
-  const double checkpoint_interval = given.output.checkpoint_interval.value_or(OutputSpec::default_checkpoint_interval);
+  const std::optional<double> checkpoint_interval = given.output.checkpoint_interval;
   EarlierRun earlier;
   if (control.resume) {
     earlier = find_earlier_run(scene, folder);
