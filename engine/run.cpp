@@ -94,11 +94,13 @@ class RecordedRun {
     };
     events.progress = control_.progress;
     events.should_stop = control_.should_stop;
-    events.save_is_due = [&, checkpoint_interval] {
-      return since_saved_.seconds() >=
-             checkpoint_interval.value_or(std::max(OutputSpec::default_checkpoint_interval, times_between * saving_));
-    };
-    events.save = [&](const RunMoment& moment, const auto& state) { save(moment, state); };
+    if (control_.checkpoints) {
+      events.save_is_due = [&, checkpoint_interval] {
+        return since_saved_.seconds() >=
+               checkpoint_interval.value_or(std::max(OutputSpec::default_checkpoint_interval, times_between * saving_));
+      };
+      events.save = [&](const RunMoment& moment, const auto& state) { save(moment, state); };
+    }
     try {
       run_.run(events);
     } catch (const std::exception& end) {

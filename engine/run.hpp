@@ -13,9 +13,10 @@
 namespace packstone::engine {
 
 struct RunControl {
-  int threads = 0;         ///< 0: as many as the machine has
-  bool overwrite = false;  ///< replace an earlier run in the folder
-  bool resume = false;     ///< go on with an earlier run in the folder; begin where there is none
+  int threads = 0;          ///< 0: as many as the machine has
+  bool overwrite = false;   ///< replace an earlier run in the folder
+  bool checkpoints = true;  ///< none: a run that is stopped cannot be gone on with
+  bool resume = false;      ///< go on with an earlier run in the folder; begin where there is none
   std::function<void(const std::string&)> warn;
   std::function<void(const std::string&)> note;  ///< from where a run goes on
   std::function<void(std::int64_t step, std::int64_t steps, double time)> progress;

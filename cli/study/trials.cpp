@@ -41,6 +41,7 @@ RunRecord run_anew(const Scene& scene, const fs::path& folder, const TrialCall& 
   control.threads = call.threads;
   control.overwrite = true;
   control.should_stop = call.should_stop;
+  control.checkpoints = false;  // a trial that was stopped is made anew
   try {
     return engine::run_scene(scene, folder, control);
   } catch (const Interrupted&) {
