@@ -40,7 +40,7 @@ State some_state() {
           {1, 2, 3}};
 }
 
-void write(const std::filesystem::path& file, State state) {
+void write_state(const std::filesystem::path& file, State state) {
   CheckpointWriter writer(file);
   std::string name = "first";
   writer.begin("name");
@@ -54,7 +54,7 @@ void write(const std::filesystem::path& file, State state) {
 
 TEST_CASE("a checkpoint gives back what was written, part by part and again") {
   const TemporaryFolder folder;
-  write(folder / "c", some_state());
+  write_state(folder / "c", some_state());
   CheckpointReader reader(folder / "c");
   for (int k = 0; k < 2; ++k) {
     State state;
@@ -78,7 +78,7 @@ TEST_CASE("a checkpoint that is not committed leaves nothing") {
 
 TEST_CASE("a part that holds less or more than is read is another state") {
   const TemporaryFolder folder;
-  write(folder / "c", some_state());
+  write_state(folder / "c", some_state());
   CheckpointReader reader(folder / "c");
   std::uint64_t number = 0;
   reader.begin("name");
@@ -97,7 +97,7 @@ TEST_CASE("a part that holds less or more than is read is another state") {
 
 TEST_CASE("a checkpoint cut anywhere, or of another version, is refused") {
   const TemporaryFolder folder;
-  write(folder / "c", some_state());
+  write_state(folder / "c", some_state());
   const std::string good = read_text_file(folder / "c");
   for (std::size_t size = 0; size < good.size(); ++size) {
     std::ofstream(folder / "cut", std::ios::binary) << good.substr(0, size);
