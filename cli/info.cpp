@@ -149,7 +149,7 @@ void print_text(const ordered_json& object, int indent) {
       fmt::print("{:{}}{}\n", "", indent, key);
       print_text(value, indent + 2);
     } else {
-      fmt::print("{:{}}{:<{}}{}\n", "", indent, key, 18 - indent,
+      fmt::print("{:{}}{:<{}} {}\n", "", indent, key, 17 - indent,
                  value.is_string() ? value.get<std::string>() : value.dump());
     }
   }

@@ -136,7 +136,11 @@ void check_writable(const fs::path& target) {
   std::error_code error;
   if (target.empty()) throw InputError("the file to write has no name");
   if (fs::is_directory(target, error)) throw InputError(target.string() + ": is a folder; name a file");
-  const PendingFile probe(temporary_name(target));  // not what the file is written under
+  const fs::path probe = temporary_name(temporary_name(target));  // not what the file is written under
+  if (!std::ofstream(probe, std::ios::binary)) {
+    throw RunError(target.string() + ": cannot be written: " + std::strerror(errno));
+  }
+  fs::remove(probe, error);
 }
 
 void write_text_file(const fs::path& target, const std::string& text, Lasting lasting) {

@@ -198,7 +198,7 @@ TEST_CASE("without the right to write nothing is begun, without the right to rea
     CHECK_THAT(result.output, Contains("cannot be read"));
   };
   unreadable("check " + scene);
-  unreadable("info " + run.path);
+  unreadable("info " + run.path + "/snapshots/snapshot_000004.vtkhdf");
   unreadable("analyze " + run.path);
   fs::permissions(run.folder.path(), fs::perms(0755));
 }
@@ -211,8 +211,8 @@ TEST_CASE("every verb tells a damaged snapshot by its name") {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 4);
   for (const std::string& bytes : {whole.substr(0, whole.size() / 2), flipped, std::string()}) {
     std::ofstream(last, std::ios::binary) << bytes;
-    for (const std::string& call :
-         {"analyze " + run.path, "info " + run.path, "convert " + run.path + " " + (run.folder / "x.csv").string()}) {
+    for (const std::string& call : {"analyze " + run.path, "info " + last.string(),
+                                    "convert " + run.path + " " + (run.folder / "x.csv").string()}) {
       check_refusal(call, "snapshot_000004.vtkhdf", run.folder.path());
     }
   }

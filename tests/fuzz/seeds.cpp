@@ -1,5 +1,6 @@
 #include "seeds.hpp"
 
+#include "core/checkpoints.hpp"
 #include "core/checksums.hpp"
 #include "core/files.hpp"
 #include "core/formats/packing_output.hpp"
@@ -103,6 +104,17 @@ Seeds run_record_seeds() {
   record.warnings = {"one"};
   RunWriter(folder / "run", false).write_record(record);
   return {read_text_file(folder / "run" / "run.json")};
+}
+
+Seeds checkpoint_seeds() {
+  const testing::TemporaryFolder folder;
+  std::vector<double> numbers = {0.5, -1.5, 1e300};
+  std::string word = "state";
+  Checkpoints(folder.path()).write({{0, 100, 0.5}, "packstone", "seed = 1\n"}, [&](Archive& a) {
+    a.begin("numbers");
+    a(numbers, word);
+  });
+  return {read_text_file(folder / "checkpoint/checkpoint_0")};
 }
 
 Seeds view_seeds() {

@@ -24,6 +24,7 @@ Seeds packing_seeds();
 Seeds snapshot_seeds();
 Seeds history_seeds();
 Seeds run_record_seeds();
+Seeds checkpoint_seeds();
 Seeds view_seeds();
 Seeds formula_seeds();
 Seeds grid_seeds();

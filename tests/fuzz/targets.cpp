@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "core/checkpoints.hpp"
 #include "core/error.hpp"
 #include "core/flat_toml.hpp"
 #include "core/formats/csv_table.hpp"
@@ -104,6 +105,14 @@ void read_run_record(const std::string& input) {
   RunReader(folder()).record();
 }
 
+void read_checkpoint(const std::string& input) {
+  fs::create_directory(folder() / Checkpoints::folder_name);
+  file_of(input, std::string(Checkpoints::folder_name) + "/checkpoint_0");
+  for (const FoundCheckpoint& found : Checkpoints(folder()).find()) {
+    if (!found.fault.empty()) throw InputError(found.fault);
+  }
+}
+
 void read_view(const std::string& input) { read_flat_toml(file_of(input, "view.toml")); }
 
 void read_formula(const std::string& input) {
@@ -146,6 +155,7 @@ const std::vector<Target>& targets() {
       {"snapshot", read_snapshot_file, snapshot_seeds},
       {"history", read_history_file, history_seeds},
       {"run_record", read_run_record, run_record_seeds},
+      {"checkpoint", read_checkpoint, checkpoint_seeds},
       {"view", read_view, view_seeds},
       {"formula", read_formula, formula_seeds},
       {"surface_grid", read_grid, grid_seeds},
