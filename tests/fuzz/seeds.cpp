@@ -134,7 +134,11 @@ Seeds vtk_seeds() {
 }
 
 Seeds stl_seeds() { return files({"liggghts_walls/floor.stl"}); }
-Seeds obj_seeds() { return {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2/1/1 4/2/2 3/3/3\n"}; }
+Seeds obj_seeds() {
+  return {
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 2/1/1 4/2/1 "
+      "3/3/1\n"};
+}
 
 Seeds ply_seeds() {
   return {

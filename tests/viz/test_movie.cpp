@@ -45,14 +45,10 @@ TEST_CASE("a movie has all its frames") {
   }
 }
 
-TEST_CASE("a movie that cannot be written gives ffmpeg's reason and no file") {
+TEST_CASE("a movie that cannot be written is refused before a frame is drawn") {
   testing::TemporaryFolder folder;
-  MovieWriter movie(folder / "missing/a.mp4", 640, 480, {25});
-  const auto write = [&] {
-    for (int i = 0; i < 50; ++i) movie.add(frame(640, 480, i));
-    movie.finish();
-  };
-  CHECK_THROWS_WITH(write(), Contains("ffmpeg") && Contains("No such file or directory"));
+  CHECK_THROWS_WITH(MovieWriter(folder / "missing/a.mp4", 640, 480, {25}),
+                    Contains("missing/a.mp4: cannot be written: No such file or directory"));
   CHECK(fs::is_empty(folder.path()));
 }
 
