@@ -43,7 +43,7 @@ study heap "$samples/10_heap/scene.toml" --set particles[0].count=2000 --set dyn
 # The second paper's cylinder, sample 12 with a quarter of its spheres, ten times softer, to a balance of 1e-3.
 study cylinder "$samples/12_overdamped/scene.toml" --set particles[0].count=500 --set material[0].normal_stiffness=1e3 --set dynamics.rest_force=1e-3 \
   --set dynamics.duration=200 --set monitor.overlap_limit=0.5 --set output.interval=100 --reference "integrator euler" \
-  --vary 'dynamics.integrator="euler"' --vary dynamics.tolerance=0.001,0.1 --vary 'dynamics.viscosity=0.37' \
+  --vary 'dynamics.integrator="euler","implicit"' --vary dynamics.tolerance=0.001,0.1 --vary 'dynamics.viscosity=0.37' \
   --tolerance packing_fraction=0.002
 # Margins of neighbour lists.
 study margin "$here/studies/equal.toml" --set particles[0].count=1000 --set 'domain.max=[0.0833,0.0833,0.25]' --set dynamics.duration=0.5 \
