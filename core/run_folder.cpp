@@ -134,6 +134,7 @@ FolderLock prepare_folder(const fs::path& path, FolderUse use) {
   if (error) throw InputError(path.string() + ": cannot be written; name a folder you may write to");
   FolderLock lock(path);
   if (is_run && use != FolderUse::go_on) remove_run(path);
+  fs::remove(path / failing_state_name, error);  // a run that goes on has not failed yet
   fs::create_directories(path / "snapshots", error);
   if (error) throw InputError(path.string() + ": cannot be written; name a folder you may write to");
   for (const fs::path& folder : {path, path / "snapshots", path / Checkpoints::folder_name}) remove_leftovers(folder);
@@ -226,8 +227,15 @@ RunRecord read_record(const fs::path& folder) {
     r.seed = json.at("seed");
     r.threads = json.at("threads");
     r.reason = json.at("reason");
-    if (json.contains("failure")) r.failure = run_verdict_from(json.at("failure"));
-    for (const auto& doubt : json.value("doubts", ordered_json::array())) r.doubts.push_back(run_verdict_from(doubt));
+    const auto verdict = [&](const ordered_json& written) {
+      try {
+        return run_verdict_from(written);
+      } catch (const InputError& error) {
+        throw InputError(file.string() + ": " + error.what());
+      }
+    };
+    if (json.contains("failure")) r.failure = verdict(json.at("failure"));
+    for (const auto& doubt : json.value("doubts", ordered_json::array())) r.doubts.push_back(verdict(doubt));
     r.warnings = json.at("warnings").get<std::vector<std::string>>();
     r.wall_seconds = json.at("wall_seconds");
     r.loop_seconds = json.value("loop_seconds", 0.0);  // older runs have none of the four
