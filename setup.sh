@@ -7,7 +7,8 @@ cd "$(dirname "$0")"
 usage="usage: ./setup.sh [build|demo|test [OPTION...]|sanitize [threads]|bench [OPTION...]]
   build  install the packages and build build/packstone (the default)
   demo   build, then run sample 01 from the scene to the report
-  test   build, then run the tests; options go to ctest: -C long -L long runs those of minutes instead
+  test   build, then run the tests, then those of the readers and writers under AddressSanitizer and
+         UndefinedBehaviorSanitizer; with options, which go to ctest, the first alone: -C long -L long runs those of minutes
   sanitize  build without VTK, then run all tests under AddressSanitizer and UndefinedBehaviorSanitizer;
          threads: those of the engine and of measures under ThreadSanitizer
   bench  install LAMMPS and LIGGGHTS too, then run the same beds through all three;
@@ -56,6 +57,7 @@ run_tests() {
   build ON
   say "running the tests"
   (cd build && ctest --output-on-failure --parallel 2 "$@")
+  if [ $# -eq 0 ]; then sanitize sanitize test_core test_fuzz; fi  # more would take a fresh clone beyond 15 minutes
 }
 
 # sanitize PRESET TARGET... builds these tests and runs them.
@@ -64,14 +66,24 @@ sanitize() {
   cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON
   cmake --build --preset "$1" --target "${@:2}"
   say "running ${*:2}"
+  # A process that tries a file is silent, and what it dies of passes for damage to the file: reports go to files.
+  local findings="$PWD/build-$1/findings" failed=0
+  rm -rf "$findings"
+  mkdir "$findings"
+  export ASAN_OPTIONS="log_path=$findings/asan" UBSAN_OPTIONS="print_stacktrace=1"
   (cd "build-$1" && ctest --output-on-failure --parallel 2 --no-tests=error \
-    --tests-regex "^($(printf '%s|' "${@:2}" | sed 's/test_//g; s/|$//')): ")
+    --tests-regex "^($(printf '%s|' "${@:2}" | sed 's/test_//g; s/|$//')): ") || failed=1
+  if [ -n "$(ls "$findings")" ]; then
+    cat "$findings"/*
+    failed=1
+  fi
+  return $failed
 }
 
 run_sanitized() {
   install_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
   case "${1:-}" in
-    "") sanitize sanitize test_core test_engine test_analysis test_fuzz test_cli ;;
+    "") sanitize sanitize test_core test_engine test_analysis test_format test_fuzz test_cli ;;
     threads)
       install_packages "${clang_packages[@]}"
       archer=$(find /usr/lib/llvm-*/lib -name libarcher.so | head -1)
