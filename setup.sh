@@ -72,7 +72,7 @@ sanitize() {
   mkdir "$findings"
   export ASAN_OPTIONS="log_path=$findings/asan" UBSAN_OPTIONS="print_stacktrace=1"
   (cd "build-$1" && ctest --output-on-failure --parallel 2 --no-tests=error \
-    --tests-regex "^($(printf '%s|' "${@:2}" | sed 's/test_//g; s/|$//')): ") || failed=1
+    --tests-regex "^($(printf '%s|' "${@:2}" | sed 's/test_//g; s/|$//')):") || failed=1
   if [ -n "$(ls "$findings")" ]; then
     cat "$findings"/*
     failed=1

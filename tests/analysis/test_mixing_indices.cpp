@@ -190,7 +190,7 @@ TEST_CASE("a type of one particle") {
   CHECK(value(result, "contact_mixing") == Approx(3.0 / 540 * 108).epsilon(1e-12));
 }
 
-TEST_CASE("indices that do not exist say why; none is ever NaN") {
+TEST_CASE("indices that do not exist say why, none is ever NaN") {
   Snapshot s = closed_bed(4, 4, 4);
   label(s, [](int x, int, int) { return x % 2; });
   Options options;

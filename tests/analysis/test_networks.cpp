@@ -152,7 +152,7 @@ TEST_CASE("communities of small random networks come near the best of all partit
   CHECK(found > 0.95 * best);
 }
 
-TEST_CASE("no move of one node and no merger improves communities; each is connected") {
+TEST_CASE("no move of one node and no merger improves communities, each is connected") {
   const Edges edges = random_edges(300, 900, 7);
   auto label = communities(edges, 300, 1);
   const double q = geographic_modularity(edges, label, 1);

@@ -62,7 +62,7 @@ TEST_CASE("columns mean what the file, the user or their number says") {
   CHECK(parts.force[0] == Vec3(-4, 1, 2));
 }
 
-TEST_CASE("contacts go by centres printed with few digits; a wall's are left out") {
+TEST_CASE("contacts go by centres printed with few digits, a wall's are left out") {
   const Contacts c = contacts_in(contacts_file(
       "a b c d e f g h i", {"2.4003 0 0 4.2996 0 0 -2 0 0", "0.5 0 0 0.5 0 -1 3 3 3", "-1.4 0 0 0.5 0 0 -1 0 0"}));
   REQUIRE(c.size() == 2);

@@ -206,7 +206,7 @@ TEST_CASE("a run goes on from a snapshot where another one was") {
   CHECK(second.history().column("kinetic_translational").front() > 0);
 }
 
-TEST_CASE("a snapshot's ids decide the order; two of the same are refused") {
+TEST_CASE("a snapshot's ids decide the order, two of the same are refused") {
   const TemporaryFolder folder;
   run_scene(parse_scene(small_scene, "s.toml"), folder / "run", {});
   Snapshot s = read_snapshot(RunReader(folder / "run").snapshot_files().back(), {.region = {}, .contacts = false});

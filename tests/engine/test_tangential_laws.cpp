@@ -143,7 +143,7 @@ TEST_CASE("Mindlin and Deresiewicz: while the normal force grows faster, the con
   CHECK(-contact.last.force.x == Approx(force).epsilon(1e-12));
 }
 
-TEST_CASE("G* is (2-nu)/G in series; [21] prints the inverse") {
+TEST_CASE("G* is (2-nu)/G in series, [21] prints the inverse") {
   MaterialSpec a, b;
   a.young_modulus = 7e10;
   a.poisson_ratio = 0.3;

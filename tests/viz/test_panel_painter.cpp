@@ -73,7 +73,7 @@ TEST_CASE("panels of different groups have a colour for each name") {
   CHECK(blue == 0);
 }
 
-TEST_CASE("tiles over panels make the whole; times that differ stand in the titles") {
+TEST_CASE("tiles over panels make the whole, times that differ stand in the titles") {
   Snapshot first = testing::layered_packing(1), second = first;
   const PictureOptions options = small_picture();
   PanelPainter same(options, {"a", "b", "c", "d"}, 0), later(options, {"a", "b", "c", "d"}, 0);
