@@ -221,7 +221,7 @@ TEST_CASE("a snapshot's ids decide the order, two of the same are refused") {
   const StartingState turned = start();
   CHECK(std::equal(before.position.begin(), before.position.end(), turned.position.rbegin(), turned.position.rend()));
   s.id[7] = s.id[8] = 40;
-  CHECK_THROWS_WITH(start(), Contains("renamed.vtkhdf: particle 40: id: 40 occurs twice"));
+  CHECK_THROWS_WITH(start(), Contains("renamed.vtkhdf: PointData/id: 40 occurs twice"));
 }
 
 TEST_CASE("a snapshot from the beginning of growth and a damaged one are refused") {
