@@ -4,7 +4,8 @@
 #include <cstring>
 
 #include <fmt/format.h>
-#include <isa-l/crc64.h>
+
+#include "core/checksums.hpp"
 
 namespace packstone {
 
@@ -23,10 +24,6 @@ struct Tail {
   std::uint64_t table_offset, table_size, table_checksum, file_size;
   char mark[8];
 };
-
-std::uint64_t checksum(std::uint64_t before, const void* data, std::size_t size) {
-  return crc64_ecma_refl(before, static_cast<const unsigned char*>(data), size);
-}
 
 template <class T>
 std::string_view memory_of(const T& value) {
@@ -51,7 +48,7 @@ void CheckpointWriter::begin(std::string_view part) { parts_.push_back({std::str
 
 void CheckpointWriter::bytes(void* data, std::size_t size) {
   CheckpointPart& part = parts_.back();
-  part.checksum = checksum(part.checksum, data, size);
+  part.checksum = checksum_of(data, size, part.checksum);
   part.size += size;
   written_ += size;
   if (buffer_.size() + size > buffer_size) flush();
@@ -75,7 +72,7 @@ void CheckpointWriter::commit() {
     table += part.name;
   }
   Tail tail{
-      written_, table.size(), checksum(0, table.data(), table.size()), written_ + table.size() + sizeof(Tail), {}};
+      written_, table.size(), checksum_of(table.data(), table.size()), written_ + table.size() + sizeof(Tail), {}};
   std::copy(last_bytes.begin(), last_bytes.end(), tail.mark);
   flush();
   file_.write(table);
@@ -88,7 +85,7 @@ void CheckpointWriter::fail() const { throw RunError("a checkpoint is written, n
 CheckpointReader::CheckpointReader(const std::filesystem::path& path) : path_(path), file_(path) {
   read_table();
   for (const CheckpointPart& part : parts_) {
-    if (checksum(0, file_.text().data() + part.offset, part.size) != part.checksum) {
+    if (checksum_of(file_.text().data() + part.offset, part.size) != part.checksum) {
       damaged(fmt::format("the checksum of its part \"{}\" does not fit", part.name));
     }
   }
@@ -112,7 +109,7 @@ void CheckpointReader::read_table() {
     damaged("it is cut short");
   }
   std::string_view table = text.substr(tail.table_offset, tail.table_size);
-  if (checksum(0, table.data(), table.size()) != tail.table_checksum) damaged("the checksum of its table does not fit");
+  if (checksum_of(table.data(), table.size()) != tail.table_checksum) damaged("the checksum of its table does not fit");
   for (std::uint64_t end = sizeof head; !table.empty();) {
     CheckpointPart part;
     std::uint64_t numbers[4];

@@ -24,9 +24,7 @@ std::size_t size_behind(std::size_t columns) { return bytes_of(words_a_column * 
 std::uint64_t structure_sum(std::string_view file, const std::vector<ColumnSum>& columns) {
   std::uint64_t sum = 0;
   std::size_t at = 0;
-  const auto add_up_to = [&](std::size_t end) {
-    sum = crc64_ecma_refl(sum, reinterpret_cast<const unsigned char*>(file.data()) + at, end - at);
-  };
+  const auto add_up_to = [&](std::size_t end) { sum = checksum_of(file.data() + at, end - at, sum); };
   for (const ColumnSum& column : columns) {
     add_up_to(column.first);
     at = column.first + column.bytes;
@@ -46,8 +44,8 @@ bool stand_apart(const std::vector<ColumnSum>& columns, std::size_t file_size) {
 
 }  // namespace
 
-std::uint64_t checksum_of(const void* bytes, std::size_t count) {
-  return crc64_ecma_refl(0, static_cast<const unsigned char*>(bytes), count);
+std::uint64_t checksum_of(const void* bytes, std::size_t count, std::uint64_t before) {
+  return crc64_ecma_refl(before, static_cast<const unsigned char*>(bytes), count);
 }
 
 Checksums::Checksums(std::string_view file, std::vector<ColumnSum> columns) : columns_(std::move(columns)) {

@@ -18,8 +18,8 @@ struct ColumnSum {
   std::uint64_t sum = 0;  ///< of the bytes (checksum_of)
 };
 
-/// CRC-64 of ECMA-182, reflected.
-std::uint64_t checksum_of(const void* bytes, std::size_t count);
+/// CRC-64 of ECMA-182, reflected. before: that of the bytes that these go on from.
+std::uint64_t checksum_of(const void* bytes, std::size_t count, std::uint64_t before = 0);
 
 /// What stands behind a file's end: the sums of its columns, and of all other bytes, its structure, together.
 class Checksums {

@@ -156,7 +156,8 @@ void RestRun::go_down(const SimulationEvents& events) {
   v.what = fmt::format(
       "the bed has not come down in dynamics.duration: {}",
       d.overdamped()
-          ? fmt::format("the mean unbalanced force is still above {:g} of the mean weight (dynamics.rest_force)",
+          ? fmt::format("the mean unbalanced force is still above {:g} of the mean weight (dynamics.rest_force), "
+                        "or some particles still sink",
                         *d.rest_force)
           : fmt::format("kinetic energy is still above {:g} of the sum of m g d (dynamics.way_energy)", *d.way_energy));
   v.advice = "give it more time";
